@@ -1,0 +1,113 @@
+#include "mesh/arrays.h"
+
+#include <algorithm>
+
+namespace anisoquad {
+namespace {
+
+/// One directed edge of a facet, sorted so that the two directions of an edge stand together.
+struct DirectedEdge {
+    std::int32_t low;
+    std::int32_t high;
+    std::int32_t corner;  ///< 3·facet + corner; the edge leaves that corner
+    bool operator<(const DirectedEdge& other) const {
+        return low != other.low ? low < other.low : (high != other.high ? high < other.high : corner < other.corner);
+    }
+};
+
+/// Sorts the directed edges of all facets by their lower end (counting sort), then by the other end.
+std::vector<DirectedEdge> sorted_edges(std::size_t points, std::span<const std::array<std::int32_t, 3>> triangles) {
+    std::vector<std::int32_t> start(points + 1, 0);
+    for (const auto& t : triangles) {
+        for (std::size_t k = 0; k < 3; ++k) ++start[static_cast<std::size_t>(std::min(t[k], t[(k + 1) % 3])) + 1];
+    }
+    for (std::size_t i = 0; i < points; ++i) start[i + 1] += start[i];
+    std::vector<DirectedEdge> edges(3 * triangles.size());
+    std::vector<std::int32_t> fill(start.begin(), start.end() - 1);
+    std::int32_t corner = 0;
+    for (const auto& t : triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t a = t[k];
+            const std::int32_t b = t[(k + 1) % 3];
+            const std::size_t low = static_cast<std::size_t>(std::min(a, b));
+            edges[static_cast<std::size_t>(fill[low]++)] = {std::min(a, b), std::max(a, b), corner++};
+        }
+    }
+    for (std::size_t i = 0; i < points; ++i) std::sort(edges.begin() + start[i], edges.begin() + start[i + 1]);
+    return edges;
+}
+
+}  // namespace
+
+SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles) {
+    SurfaceMesh mesh;
+    const auto n = static_cast<std::int32_t>(points.size());
+    const auto m = static_cast<std::int32_t>(triangles.size());
+    mesh.reserve(n, 3 * m / 2 + 16, m);
+    for (const Point& p : points) mesh.add_vertex(p);
+    for (std::int32_t i = 0; i < n; ++i) mesh.info(Vertex(i)).input = i;
+
+    const std::vector<DirectedEdge> edges = sorted_edges(points.size(), triangles);
+    std::vector<HalfEdge> of_corner(edges.size());
+    // Edges are numbered in the order of the facets, so that neighbours in the mesh are neighbours in memory.
+    std::vector<std::int32_t> mate(edges.size(), -1);
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        if (edges[i].low == edges[i + 1].low && edges[i].high == edges[i + 1].high) {
+            mate[static_cast<std::size_t>(edges[i].corner)] = edges[i + 1].corner;
+            mate[static_cast<std::size_t>(edges[i + 1].corner)] = edges[i].corner;
+            ++i;
+        }
+    }
+    for (std::int32_t f = 0; f < m; ++f) {
+        const Face face = mesh.add_face();
+        const auto& t = triangles[static_cast<std::size_t>(f)];
+        std::array<HalfEdge, 3> h;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t corner = 3 * static_cast<std::size_t>(f) + k;
+            if (!of_corner[corner].is_valid()) {
+                of_corner[corner] = mesh.add_edge(Vertex(t[k]), Vertex(t[(k + 1) % 3]));
+                if (mate[corner] >= 0) of_corner[static_cast<std::size_t>(mate[corner])] = SurfaceMesh::twin(of_corner[corner]);
+            }
+            h[k] = of_corner[corner];
+            mesh.set_face(h[k], face);
+            mesh.set_halfedge(Vertex(t[k]), h[k]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) mesh.link(h[k], h[(k + 1) % 3]);
+        mesh.set_halfedge(face, h[0]);
+    }
+    // Boundary half-edges: the successor leaves the same vertex; one fan per vertex, so one boundary half-edge leaves it.
+    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+        if (mesh.is_boundary(HalfEdge(i))) mesh.set_halfedge(mesh.from(HalfEdge(i)), HalfEdge(i));
+    }
+    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+        if (mesh.is_boundary(HalfEdge(i))) mesh.link(HalfEdge(i), mesh.halfedge(mesh.to(HalfEdge(i))));
+    }
+    return mesh;
+}
+
+MeshArrays to_arrays(const SurfaceMesh& mesh) {
+    MeshArrays arrays;
+    arrays.point_of_vertex.assign(static_cast<std::size_t>(mesh.vertex_slots()), -1);
+    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        const Vertex v(i);
+        if (mesh.is_deleted(v) || !mesh.halfedge(v).is_valid()) continue;
+        arrays.point_of_vertex[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(arrays.points.size());
+        arrays.points.push_back(mesh.position(v));
+        arrays.vertices.push_back(v);
+    }
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
+        const Face f(i);
+        if (mesh.is_deleted(f)) continue;
+        std::array<std::int32_t, 4> nodes{-1, -1, -1, -1};
+        std::size_t k = 0;
+        for (HalfEdge h : mesh.halfedges(f)) {
+            assert(k < 4);
+            nodes[k++] = arrays.point_of_vertex[static_cast<std::size_t>(mesh.from(h).index())];
+        }
+        arrays.faces.push_back(nodes);
+        arrays.face_handles.push_back(f);
+    }
+    return arrays;
+}
+
+}  // namespace anisoquad
