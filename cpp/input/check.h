@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "mesh/surface_mesh.h"
+#include "options.h"
+
+/// The checks at the public door. Errors list the indices of the offending elements of the input arrays (at most 1000) and
+/// say in the user's words what to do.
+namespace anisoquad {
+
+/// Rejects what is not an oriented manifold triangulation: everything that from_arrays() and the later stages rely on.
+/// Several components, open and closed surfaces and any genus are valid; so are points that no triangle uses.
+/// @throws Error{empty_mesh, non_finite_coordinates, index_out_of_range, degenerate_facets, duplicate_facets,
+///         non_manifold_edges, inconsistent_orientation, non_manifold_vertices}, looked for in this order
+void check_input(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles);
+
+/// Rejects sources that are not paths of mesh edges, that touch themselves (but for a closed one's end) or each other
+/// elsewhere than at nodes where both end, and passes with a ratio below 1 or fewer than 0 rows.
+/// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
+/// @throws Error{invalid_source, invalid_option}
+void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources);
+
+/// Rejects options out of their range and feature edges that are not edges of the mesh.
+/// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
+/// @throws Error{invalid_option, invalid_feature_edge}
+void check_options(const SurfaceMesh& mesh, const Options& options);
+
+}  // namespace anisoquad
