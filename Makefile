@@ -1,0 +1,50 @@
+# A thin front: every target can also be run by hand, see README.md.
+PYTHON     ?= /usr/bin/python3
+FREECADCMD ?= freecadcmd
+JOBS       ?= $(shell nproc)
+# Given to CMake's configure step, e.g. CMAKE_FLAGS=-DANISOQUAD_WERROR=ON
+CMAKE_FLAGS ?=
+
+PACKAGES = g++ cmake libeigen3-dev pybind11-dev libgtest-dev libbenchmark-dev \
+           python3 python3-dev python3-numpy python3-meshio python3-matplotlib freecad-python3
+SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
+
+.PHONY: deps build demo test test-core test-python test-freecad bench format
+
+deps:
+	@if dpkg-query -W -f='$${db:Status-Status} ' $(PACKAGES) 2>/dev/null | tr ' ' '\n' | grep -c '^installed$$' \
+	    | grep -qx $(words $(PACKAGES)); then echo "deps: all installed"; else \
+	    export DEBIAN_FRONTEND=noninteractive; \
+	    $(SUDO) apt-get update -q && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y \
+	        --no-install-recommends $(PACKAGES) </dev/null; fi
+
+build:
+	cmake --preset release $(CMAKE_FLAGS)
+	cmake --build --preset release --parallel $(JOBS)
+
+demo: deps build
+	$(FREECADCMD) resources/examples/wing_demo.py </dev/null
+
+test: deps build
+	ctest --preset release --parallel $(JOBS)
+	$(MAKE) --no-print-directory test-core test-python test-freecad
+
+# The core's tests again, with assertions and validate() after every stage.
+test-core:
+	cmake --preset debug $(CMAKE_FLAGS)
+	cmake --build --preset debug --parallel $(JOBS)
+	ctest --preset debug --parallel $(JOBS)
+
+test-python:
+	PYTHONPATH=Mod PYTHONDONTWRITEBYTECODE=1 $(PYTHON) -m unittest discover -s tests/python -p 'test_*.py'
+
+# -t has to come before -M: the other way round crashes Debian's FreeCAD.
+test-freecad:
+	PYTHONPATH=tests/freecad $(FREECADCMD) -t anisoquad_freecad_tests -M $(CURDIR) </dev/null
+
+bench: deps build
+	build/release/tests/benchmark/anisoquad_benchmark
+	PYTHONPATH=Mod $(PYTHON) tests/benchmark/paper_table1.py
+
+format:
+	git ls-files '*.cpp' '*.h' | xargs clang-format -i
