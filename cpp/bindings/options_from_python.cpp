@@ -14,11 +14,16 @@ constexpr const char* options_doc =
 
 Options options_from_keywords(const py::kwargs& keywords) {
     py::object options = py::cast(Options{});
+    const py::dict fields = options.attr("fields");
     for (const auto& [name, value] : keywords) {
-        if (!py::hasattr(py::type::of(options), name)) {
-            throw py::type_error("Options has no field '" + py::cast<std::string>(name) + "'");
+        if (!fields.contains(name)) throw py::type_error("Options has no field '" + py::cast<std::string>(name) + "'");
+        try {
+            options.attr(name) = value;
+        } catch (py::error_already_set& error) {
+            if (!error.matches(PyExc_TypeError)) throw;
+            throw py::type_error("Options." + py::cast<std::string>(name) + " can not be " +
+                                 py::cast<std::string>(py::repr(value)));
         }
-        options.attr(name) = value;
     }
     return options.cast<Options>();
 }

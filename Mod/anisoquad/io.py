@@ -1,0 +1,171 @@
+"""Triangles from files, quad meshes to files. No FreeCAD."""
+
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
+from pathlib import Path
+
+import numpy as np
+
+from .errors import MeshError
+from .groups import face_groups, line_groups
+from .quality import scaled_jacobian
+
+
+def read_triangles(path):
+    """(points (N,3) float64, triangles (M,3) int32) of a .stl, .obj, .off or .ply file.
+
+    The points keep the file's order; those of an .stl are welded where equal, and ordered by coordinates.
+    Raises MeshError ("unreadable_file") when the file can not be read, or holds facets that are not triangles.
+    """
+    path = Path(path)
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        raise _unreadable(path, f"can only read {', '.join(_READERS)}")
+    try:
+        points, triangles = reader(path)
+    except OSError as error:
+        raise _unreadable(path, error.strerror or str(error)) from None
+    except MeshError:
+        raise
+    except (Exception, SystemExit) as error:  # meshio ends with many types of exception, and some readers of it exit
+        raise _unreadable(path, f"not a valid {path.suffix[1:].upper()} file ({_first_line(error)})") from None
+    return np.ascontiguousarray(points, np.float64), np.ascontiguousarray(triangles, np.int32)
+
+
+def writable(path):
+    """True when write_mesh knows the format."""
+    return Path(path).suffix.lower() in _WRITERS
+
+
+def write_mesh(path, mesh):
+    """Write a QuadMesh as .vtu, .inp (CalculiX, Abaqus: S4), .msh (Gmsh 2.2), .su2 or .obj. Raises MeshError."""
+    path = Path(path)
+    if not writable(path):
+        raise MeshError(f"{path}: can only write {', '.join(_WRITERS)}", code="unwritable_file")
+    try:
+        _WRITERS[path.suffix.lower()](path, mesh)
+    except OSError as error:
+        raise MeshError(f"{path}: {error.strerror or error}", code="unwritable_file") from None
+
+
+def _unreadable(path, reason):
+    return MeshError(f"{path}: {reason}", code="unreadable_file")
+
+
+def _first_line(error):
+    return (str(error).strip() or type(error).__name__).splitlines()[0]
+
+
+def _read_off(path):
+    lines = [line for line in (raw.split("#", 1)[0].split() for raw in path.read_text(errors="replace").splitlines()) if line]
+    if not lines or lines[0][0] != "OFF":
+        raise ValueError("it does not begin with OFF")
+    first = lines.pop(0)[1:]
+    counts = first or lines.pop(0)
+    points, facets = int(counts[0]), int(counts[1])
+    if points < 0 or facets < 0 or len(lines) < points + facets:
+        raise ValueError(f"it ends before its {points} points and {facets} facets")
+    return np.array([line[:3] for line in lines[:points]], float).reshape(-1, 3), _triangles(
+        path, [line[1 : 1 + int(line[0])] for line in lines[points : points + facets]]
+    )
+
+
+def _read_obj(path):
+    points, facets = [], []
+    for raw in path.read_text(errors="replace").splitlines():
+        fields = raw.split()
+        if not fields:
+            continue
+        if fields[0] == "v":
+            points.append(fields[1:4])
+        elif fields[0] == "f":
+            ids = [int(field.split("/", 1)[0]) for field in fields[1:]]
+            facets.append([id_ - 1 if id_ > 0 else len(points) + id_ for id_ in ids])
+    return np.array(points, float).reshape(-1, 3), _triangles(path, facets)
+
+
+def _read_by_meshio(path):
+    import meshio
+
+    if path.stat().st_size == 0:
+        raise ValueError("it is empty")
+    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):  # it prints what it also raises
+        mesh = meshio.read(path)
+    if len(mesh.cells) == 1 and mesh.cells[0].type == "triangle":
+        return mesh.points[:, :3], mesh.cells[0].data
+    facets = [facet for cells in mesh.cells if cells.type not in ("vertex", "line") for facet in cells.data]
+    return mesh.points[:, :3], _triangles(path, facets)
+
+
+def _triangles(path, facets):
+    for index, facet in enumerate(facets):
+        if len(facet) != 3:
+            raise MeshError(f"{path}: facet {index} has {len(facet)} corners; only triangles can be meshed",
+                            code="unreadable_file", kind="facet", ids=[index])
+    return np.array(facets, np.int64).reshape(-1, 3)
+
+
+def _write_by_meshio(path, mesh, lines, cell_data, point_data=None, **how):
+    import meshio
+
+    cells = [("quad", mesh.quads)] + [("line", edges) for edges in lines]
+    meshio.Mesh(mesh.points, cells, cell_data=cell_data, point_data=point_data).write(path, **how)
+
+
+def _write_vtu(path, mesh):
+    data = {"row": mesh.row, "pass": mesh.pass_, "source": mesh.source, "patch": mesh.patch,
+            "scaled_jacobian": scaled_jacobian(mesh.points, mesh.quads)}
+    _write_by_meshio(path, mesh, [], {name: [values] for name, values in data.items()},
+                     {"line": mesh.node_line, "input": mesh.node_input})
+
+
+def _write_msh(path, mesh):
+    lines = line_groups(mesh)
+    physical = [mesh.patch + 1] + [np.full(len(edges), index + 1, np.int32) for index, edges in enumerate(lines.values())]
+    _write_by_meshio(path, mesh, lines.values(), {"gmsh:physical": physical, "gmsh:geometrical": physical},
+                     file_format="gmsh22", binary=False)
+
+
+def _write_inp(path, mesh):
+    with path.open("w", encoding="ascii") as out:
+        out.write("** Written by AnisoQuad\n*NODE, NSET=Nall\n")
+        _write_rows(out, "{},{!r},{!r},{!r}\n", np.arange(1, len(mesh.points) + 1), mesh.points)
+        out.write("*ELEMENT, TYPE=S4, ELSET=Eall\n")
+        _write_rows(out, "{},{},{},{},{}\n", np.arange(1, len(mesh.quads) + 1), mesh.quads + 1)
+        for name, faces in face_groups(mesh).items():
+            _write_set(out, "ELSET", name, faces + 1)
+        for name, edges in line_groups(mesh).items():
+            _write_set(out, "NSET", name, np.unique(edges) + 1)
+
+
+def _write_set(out, keyword, name, ids):
+    out.write(f"*{keyword}, {keyword}={name}\n")
+    for start in range(0, len(ids), 16):
+        out.write(",".join(map(str, ids[start : start + 16].tolist())) + ",\n")
+
+
+def _write_su2(path, mesh):
+    with path.open("w", encoding="ascii") as out:
+        out.write(f"NDIME= 3\nNELEM= {len(mesh.quads)}\n")
+        _write_rows(out, "9 {1} {2} {3} {4} {0}\n", np.arange(len(mesh.quads)), mesh.quads)
+        out.write(f"NPOIN= {len(mesh.points)}\n")
+        _write_rows(out, "{1!r} {2!r} {3!r} {0}\n", np.arange(len(mesh.points)), mesh.points)
+        lines = line_groups(mesh)
+        out.write(f"NMARK= {len(lines)}\n")
+        for name, edges in lines.items():
+            out.write(f"MARKER_TAG= {name}\nMARKER_ELEMS= {len(edges)}\n")
+            out.writelines(f"3 {a} {b}\n" for a, b in edges.tolist())
+
+
+def _write_obj(path, mesh):
+    with path.open("w", encoding="ascii") as out:
+        out.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in mesh.points.tolist())
+        out.writelines("f {} {} {} {}\n".format(*quad) for quad in (mesh.quads + 1).tolist())
+
+
+def _write_rows(out, layout, ids, rows):
+    out.writelines(layout.format(id_, *row) for id_, row in zip(ids.tolist(), rows.tolist()))
+
+
+_READERS = {".stl": _read_by_meshio, ".obj": _read_obj, ".off": _read_off, ".ply": _read_by_meshio}
+_WRITERS = {".vtu": _write_vtu, ".inp": _write_inp, ".msh": _write_msh, ".su2": _write_su2, ".obj": _write_obj}

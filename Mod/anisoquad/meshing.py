@@ -1,0 +1,60 @@
+"""The numpy façade of the core."""
+
+import numpy as np
+
+from . import _core
+from .errors import MeshError
+from .quad_mesh_result import QuadMesh
+from .source import Source
+
+Options = _core.Options
+
+_INT32 = np.iinfo(np.int32)
+
+
+def quad_mesh(points, triangles, sources=(), options=None, progress=None):
+    """Mesh a triangulated surface with quadrilaterals, with anisotropic rows along the sources.
+
+    points    -- (N,3) numbers, any unit
+    triangles -- (M,3) 0-based indices, manifold and consistently oriented
+    sources   -- Source objects, or lists of vertex ids (such a line is a feature without rows)
+    options   -- Options
+    progress  -- callable(stage: str, fraction: float); returning False cancels
+    Returns a QuadMesh. Raises MeshError with the ids of what is wrong in the input, Cancelled when progress said so.
+    """
+    sources = [source if isinstance(source, Source) else Source(source) for source in sources]
+    result = _core.quad_mesh(
+        _coordinates(points),
+        _indices(triangles),
+        [source.to_core() for source in sources],
+        options if options is not None else Options(),
+        progress,
+    )
+    return QuadMesh(**result)
+
+
+def _coordinates(points):
+    try:
+        array = np.ascontiguousarray(points, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise MeshError(f"The points are not an array of numbers: {error}") from None
+    if array.size == 0:
+        return np.empty((0, 3))
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise MeshError(f"The points must have shape (N, 3), not {array.shape}.")
+    return array
+
+
+def _indices(triangles):
+    try:
+        array = np.asarray(triangles)
+    except ValueError as error:
+        raise MeshError(f"The triangles are not an array of indices: {error}") from None
+    if array.size == 0:
+        return np.empty((0, 3), np.int32)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise MeshError(f"The triangles must have shape (M, 3), not {array.shape}.")
+    if array.dtype.kind not in "iu":
+        raise MeshError(f"The triangles must be whole numbers, not {array.dtype}.")
+    # What int32 can't hold is out of range at its limits too, so that the core names the facets.
+    return np.ascontiguousarray(np.clip(array, _INT32.min, _INT32.max), dtype=np.int32)

@@ -1,0 +1,1 @@
+"""View providers: the GUI's side of document objects."""
