@@ -1,0 +1,64 @@
+#include "smoothing/move_node.h"
+
+#include <algorithm>
+
+#include "smoothing/star.h"
+#include "surface/surface_fit.h"
+
+namespace anisoquad {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kTries = 4;
+
+/// A move passes if it inverts nothing and the worst element stays above the lower of its old quality and what is good enough.
+bool is_acceptable(const Star& star, const Star::Quality& before, const Point& p, double good_enough) {
+    const double worst = star.quality(p).worst;
+    if (worst > 0.0) return worst >= std::min(before.worst, good_enough);
+    return before.worst <= 0.0 && star.smallest_corner_area(p) > star.smallest_corner_area(star.centre());
+}
+
+}  // namespace
+
+bool is_movable(const SurfaceMesh& mesh, Vertex v) {
+    const VertexInfo& info = mesh.info(v);
+    return info.kind == NodeKind::interior && !info.in_row && !mesh.is_boundary(v);
+}
+
+Vector3d node_normal(const SurfaceMesh& mesh, Vertex v) {
+    Star star;
+    return star.gather(mesh, v) ? star.normal() : Vector3d::Zero();
+}
+
+double worst_quality(const SurfaceMesh& mesh, Vertex v, const Vector3d& normal) {
+    Star star;
+    if (!star.gather(mesh, v)) return 0.0;
+    star.set_normal(normal);
+    return star.quality(star.centre()).worst;
+}
+
+bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const ReferenceSurface* reference, std::int32_t* hint,
+               double good_enough) {
+    Star star;
+    if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
+    SurfaceFit fit;
+    const bool fitted = fit_surface(mesh, v, fit);
+    const Star::Quality before = star.quality(star.centre());
+    Vector3d step = target - star.centre();
+    std::int32_t facet = hint ? *hint : -1;
+    for (int i = 0; i <= kTries; ++i, step *= 0.5) {
+        const Point wanted = star.centre() + step;
+        Point p = fitted ? point_at_target(fit, wanted) : Point(wanted - step.dot(star.normal()) * star.normal());
+        if (reference) p = reference->project(p, star.patch(), facet);
+        if (p == star.centre()) return false;
+        if (!p.allFinite() || !is_acceptable(star, before, p, good_enough)) continue;
+        mesh.position(v) = p;
+        mesh.info(v).input = -1;
+        if (hint) *hint = facet;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace anisoquad

@@ -1,0 +1,96 @@
+#include "smoothing/star.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace anisoquad {
+namespace {
+
+using Eigen::Vector3d;
+
+}  // namespace
+
+bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
+    size_ = 0;
+    centre_ = mesh.position(v);
+    normal_.setZero();
+    edge_length_ = 0.0;
+    patch_ = -1;
+    int edges = 0;
+    for (HalfEdge h : mesh.outgoing(v)) {
+        edge_length_ += mesh.length(h);
+        ++edges;
+        const Face f = mesh.face(h);
+        if (!f.is_valid()) continue;
+        if (size_ == kCapacity) return false;
+        Wedge& w = wedges_[static_cast<std::size_t>(size_++)];
+        const HalfEdge after = mesh.next(h);
+        w.next = mesh.position(mesh.to(h));
+        w.opposite = mesh.position(mesh.to(after));
+        w.previous = mesh.position(mesh.from(mesh.prev(h)));
+        w.quad = mesh.next(after) != mesh.prev(h);
+        normal_ += w.quad ? (w.opposite - centre_).cross(w.previous - w.next).eval()
+                          : (w.next - centre_).cross(w.previous - centre_).eval();
+        patch_ = std::max(patch_, mesh.info(f).patch);
+    }
+    if (size_ == 0 || !(edge_length_ > 0.0)) return false;
+    edge_length_ /= edges;
+    normal_ /= edge_length_ * edge_length_;
+    const double length = normal_.norm();
+    if (!(length > 0.0)) return false;
+    normal_ /= length;
+    return true;
+}
+
+double Star::quality(const Wedge& wedge, const Point& p) const {
+    const Vector3d first = wedge.next - p;
+    const Vector3d last = p - wedge.previous;
+    if (!wedge.quad) {
+        const Vector3d area = first.cross(wedge.previous - p);
+        const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
+        const double shape = 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum;
+        return area.dot(normal_) > 0.0 ? std::min(1.0, shape) : -std::min(1.0, shape);
+    }
+    const std::array<Vector3d, 4> edge{first, wedge.opposite - wedge.next, wedge.previous - wedge.opposite, last};
+    std::array<double, 4> length;
+    for (std::size_t k = 0; k < 4; ++k) length[k] = edge[k].norm();
+    if (!(*std::min_element(length.begin(), length.end()) > 0.0)) return -1.0;
+    const Vector3d axes = (wedge.opposite - p).cross(wedge.previous - wedge.next);
+    // A quad that is turned over is good by its own normal; seen along the surface's it is not.
+    const bool upright = axes.dot(normal_) > 0.0;
+    const Vector3d up = upright ? Vector3d(axes.normalized()) : normal_;
+    double worst = std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t before = (k + 3) % 4;
+        worst = std::min(worst, up.dot(edge[before].cross(edge[k])) / (length[before] * length[k]));
+    }
+    return upright ? worst : std::min(worst, 0.0);
+}
+
+Star::Quality Star::quality(const Point& p) const {
+    Quality result{1.0, 0.0};
+    for (int i = 0; i < size_; ++i) {
+        const double q = quality(wedges_[static_cast<std::size_t>(i)], p);
+        result.worst = std::min(result.worst, q);
+        result.mean += q;
+    }
+    result.mean /= size_;
+    return result;
+}
+
+double Star::smallest_corner_area(const Point& p) const {
+    double smallest = std::numeric_limits<double>::max();
+    for (int i = 0; i < size_; ++i) {
+        const Wedge& w = wedges_[static_cast<std::size_t>(i)];
+        smallest = std::min(smallest, normal_.dot((w.next - p).cross(w.previous - p)));
+        if (!w.quad) continue;
+        smallest = std::min(smallest, normal_.dot((w.opposite - w.next).cross(p - w.next)));
+        smallest = std::min(smallest, normal_.dot((p - w.previous).cross(w.opposite - w.previous)));
+        smallest = std::min(smallest, normal_.dot((w.previous - w.opposite).cross(w.next - w.opposite)));
+    }
+    return smallest / (edge_length_ * edge_length_);
+}
+
+}  // namespace anisoquad
