@@ -6,7 +6,7 @@ JOBS       ?= $(shell nproc)
 CMAKE_FLAGS ?=
 
 PACKAGES = g++ cmake libeigen3-dev pybind11-dev libgtest-dev libbenchmark-dev \
-           python3 python3-dev python3-numpy python3-meshio python3-matplotlib freecad-python3
+           python3 python3-dev python3-numpy python3-meshio freecad-python3
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 .PHONY: deps build demo test test-core test-python test-freecad bench format

@@ -61,10 +61,13 @@ def format_passes(passes):
 
 
 def _parse_pass(entry):
-    ratio, rows = (*entry, "auto")[:2] if isinstance(entry, (list, tuple)) else (entry, "auto")
+    ratio, *rest = entry if isinstance(entry, (list, tuple)) else (entry,)
+    if len(rest) > 1:
+        raise MeshError(f"A pass is a ratio, or ratio:rows; found {entry!r}.", code="invalid_source")
+    rows = rest[0] if rest else "auto"
     if isinstance(rows, str) and rows.strip() == "auto":
-        return _whole_number(ratio), "auto"
-    return _whole_number(ratio), _whole_number(rows)
+        rows = "auto"
+    return _whole_number(ratio), rows if rows == "auto" else _whole_number(rows)
 
 
 def _whole_number(value):

@@ -52,10 +52,13 @@ def two_views(mesh, wing, leading_edge):
     points = np.array([list(wing.Mesh.Points[i].Vector) for i in (leading_edge[0], leading_edge[-1])])
     box = wing.Mesh.BoundBox
     colours = row_colours(mesh.row, mesh.pass_)
-    above = (-0.3, 0.1, 1.0)
+    above = np.array((-0.3, 0.1, 1.0))
     along = points[1] - points[0]
-    whole = render(mesh.points, mesh.quads, colours, above, (-1, 0, 0), list(box.Center), 1.08 * box.YLength, (1600, 2100))
-    close = render(mesh.points, mesh.quads, colours, above, np.cross(above, along), points.mean(axis=0), 0.2 * box.YLength, (1600, 1000))
+    forward = np.cross(above, along) / np.linalg.norm(np.cross(above, along))
+    whole = render(mesh.points, mesh.quads, colours, above, (-1, 0, 0), list(box.Center), 1.08 * box.YLength, (1600, 2050))
+    width = 0.2 * np.linalg.norm(along)
+    middle = points.mean(axis=0) - 0.28 * width * forward
+    close = render(mesh.points, mesh.quads, colours, above, forward, middle, width, (1600, 1000))
     return np.concatenate([whole, np.full((12, 1600, 3), 255, np.uint8), close])
 
 

@@ -1,0 +1,153 @@
+"""The parametric object: fills, recomputes, keeps, tells."""
+
+import json
+import os
+import tempfile
+import unittest
+
+import FreeCAD
+from documents import DocumentTest, square
+
+import anisoquad
+
+LOWER_EDGE = [0, 1, 2, 3, 4, 5, 6]
+
+
+class Object(DocumentTest):
+    def make(self, **keywords):
+        obj = anisoquad.make_quad_mesh(self.doc, base=self.base, **keywords)
+        self.doc.recompute()
+        return obj
+
+    def assert_filled(self, obj):
+        self.assertEqual(obj.getStatusString(), "Valid")
+        self.assertGreater(obj.FemMesh.QuadrangleCount, 0)
+        self.assertEqual(obj.FemMesh.QuadrangleCount, obj.FemMesh.FaceCount)
+        self.assertEqual(obj.FemMesh.QuadrangleCount, obj.Quads)
+        self.assertEqual(obj.FemMesh.NodeCount, obj.Nodes)
+
+    def test_it_is_filled_and_reports(self):
+        obj = self.make()
+        self.assert_filled(obj)
+        self.assertEqual(obj.TrianglesIn, self.base.Mesh.CountFacets)
+        self.assertGreater(obj.MinScaledJacobian, 0.0)
+        self.assertGreaterEqual(obj.MeanScaledJacobian, obj.MinScaledJacobian)
+        self.assertEqual(json.loads(obj.Report)["quads"], obj.Quads)
+        for name in ("Quads", "MinScaledJacobian", "Report"):
+            self.assertIn("ReadOnly", obj.getEditorMode(name))
+
+    def test_options_have_the_defaults_of_the_core(self):
+        obj = self.make()
+        self.assertEqual(obj.FeatureAngle, anisoquad.Options().feature_angle)
+        self.assertEqual(obj.Cleanup, anisoquad.Options().cleanup)
+
+    def test_options_are_kept_and_used(self):
+        options = anisoquad.Options(feature_angle=20.0, feature_edges=[[8, 9], [9, 10]])
+        obj = self.make(options=options)
+        self.assert_filled(obj)
+        self.assertEqual(obj.FeatureAngle, 20.0)
+        self.assertEqual(obj.FeatureEdges, [8, 9, 9, 10])
+
+    def test_groups_of_patches_rows_and_lines(self):
+        obj = self.make(sources=[LOWER_EDGE], passes=[(2, 1)])
+        self.assert_filled(obj)
+        mesh = obj.FemMesh
+        groups = {mesh.getGroupName(group): group for group in mesh.Groups}
+        self.assertIn("Patch_1", groups)
+        self.assertIn("Source_1_Pass_1", groups)
+        faces = [face for name, group in groups.items() if name.startswith("Patch") for face in mesh.getGroupElements(group)]
+        self.assertEqual(sorted(faces), sorted(mesh.Faces))
+        lines = [node for name, group in groups.items() if name.startswith("Line") for node in mesh.getGroupElements(group)]
+        on_boundary = {node for node, point in mesh.Nodes.items() if 0.0 in (point.x, point.y) or 6.0 in (point.x, point.y)}
+        self.assertLessEqual(on_boundary, set(lines))
+        self.assertTrue(any("pass 1" in line for line in obj.RowsPerPass))
+
+    def test_it_recomputes_when_a_property_changes(self):
+        obj = self.make(sources=[LOWER_EDGE])
+        self.assertEqual(list(obj.RowsPerPass), [])
+        obj.Passes = "2:1"
+        self.doc.recompute()
+        self.assert_filled(obj)
+        self.assertTrue(obj.RowsPerPass)
+
+    def test_it_recomputes_when_the_base_mesh_changes_and_only_then(self):
+        obj = self.make()
+        self.assertEqual(self.doc.recompute(), 0)
+        quads = obj.Quads
+        self.base.Mesh = square(10)
+        self.doc.recompute()
+        self.assert_filled(obj)
+        self.assertGreater(obj.Quads, quads)
+
+    def test_it_follows_the_placement_of_the_base(self):
+        obj = self.make()
+        self.base.Placement.Base = FreeCAD.Vector(100, 0, 0)
+        self.doc.recompute()
+        self.assertAlmostEqual(obj.FemMesh.BoundBox.XMin, 100.0)
+        self.assertTrue(obj.Placement.isIdentity())
+
+    def test_an_error_keeps_the_old_mesh_and_says_what_is_wrong(self):
+        obj = self.make()
+        quads = obj.FemMesh.QuadrangleCount
+        for change, text in (({"Sources": ['{"vertices": [0, 9999]}']}, "9999"), ({"Sources": ["nonsense"]}, "Sources"),
+                             ({"Sources": [], "FeatureEdges": [1]}, "FeatureEdges"), ({"FeatureEdges": [], "Base": None}, "Base")):
+            with self.subTest(text):
+                for name, value in change.items():
+                    setattr(obj, name, value)
+                self.doc.recompute()
+                self.assertIn("Invalid", obj.State)
+                self.assertIn(text, obj.getStatusString())
+                self.assertEqual(obj.FemMesh.QuadrangleCount, quads)
+        obj.Base = self.base
+        self.doc.recompute()
+        self.assert_filled(obj)
+
+    def test_sources_with_passes_of_their_own(self):
+        sources = [anisoquad.Source(LOWER_EDGE, passes=[(3, 1)], sides="left"), [42, 43, 44, 45, 46, 47, 48]]
+        obj = self.make(sources=sources, passes=[(2, 1)])
+        self.assert_filled(obj)
+        ratios = {entry["source"]: entry["ratio"] for entry in json.loads(obj.Report)["passes"]}
+        self.assertEqual(ratios, {0: 3, 1: 2})
+
+    def test_what_can_not_be_read_makes_no_object(self):
+        for keywords in ({"passes": "x"}, {"sources": [["a"]]}, {"passes": [2], "anisotropy": 2}):
+            with self.subTest(keywords), self.assertRaises(anisoquad.MeshError):
+                anisoquad.make_quad_mesh(self.doc, base=self.base, **keywords)
+        self.assertEqual(len(self.doc.Objects), 1)
+
+
+class SaveAndReopen(DocumentTest):
+    def test_everything_is_kept_and_nothing_is_recomputed(self):
+        obj = anisoquad.make_quad_mesh(self.doc, base=self.base, sources=[LOWER_EDGE], passes=[(2, 1)], name="Quads")
+        self.doc.recompute()
+        before = self.state(obj)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            self.close()
+            self.doc = FreeCAD.openDocument(path)
+        obj = self.doc.getObject("Quads")
+        self.assertEqual(self.state(obj), before)
+        self.assertEqual(self.doc.recompute(), 0)
+        obj.Passes = "3:1"
+        self.doc.recompute()
+        self.assertEqual(obj.getStatusString(), "Valid")
+        self.assertIn("1:3", obj.RowsPerPass[0])
+
+    @staticmethod
+    def state(obj):
+        mesh = obj.FemMesh
+        return (
+            type(obj.Proxy).__module__,
+            list(obj.Sources),
+            obj.Passes,
+            obj.Report,
+            obj.SchemaVersion,
+            {node: tuple(point) for node, point in mesh.Nodes.items()},
+            {face: mesh.getElementNodes(face) for face in mesh.Faces},
+            {mesh.getGroupName(group): sorted(mesh.getGroupElements(group)) for group in mesh.Groups},
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,116 @@
+"""Files in and out."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import meshio
+import numpy as np
+import surfaces
+from small_mesh import two_quads
+
+import anisoquad
+from anisoquad.io import read_triangles, write_mesh
+
+OFF = "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name, content=None):
+        path = self.folder / name
+        if content is not None:
+            path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+
+class Read(Folder):
+    def test_all_formats_give_the_same_surface(self):
+        points, triangles = surfaces.sphere(3)
+        for name in ("a.off", "a.obj", "a.ply", "a.stl"):
+            with self.subTest(name):
+                path = self.file(name)
+                meshio.Mesh(points, [("triangle", triangles)]).write(path)
+                read_points, read = read_triangles(path)
+                self.assertEqual((len(read_points), read.shape), (len(points), triangles.shape))
+                self.assertTrue(np.allclose(np.sort(read_points[read].mean(axis=1), axis=0),
+                                            np.sort(points[triangles].mean(axis=1), axis=0), atol=1e-5))
+                if name != "a.stl":
+                    self.assertTrue(np.array_equal(read, triangles))
+
+    def test_off_with_comments_colours_and_counts_in_the_first_line(self):
+        for text in (OFF, "# a square\n" + OFF.replace("0 1 2\n", "0 1 2 255 0 0\n"), OFF.replace("OFF\n", "OFF ")):
+            points, triangles = read_triangles(self.file("a.off", text))
+            self.assertEqual(triangles.tolist(), [[0, 1, 2], [0, 2, 3]])
+            self.assertEqual(points.shape, (4, 3))
+
+    def test_obj_with_negative_ids_textures_and_colours(self):
+        points, triangles = read_triangles(self.file("a.obj", "v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -3/1 -2//1 -1\n"))
+        self.assertEqual(triangles.tolist(), [[0, 1, 2]])
+        self.assertEqual(points.shape, (3, 3))
+
+    def test_what_can_not_be_read_is_told_in_one_line(self):
+        bad = {
+            "absent.off": None,
+            "empty.off": "",
+            "empty.stl": "",
+            "empty.ply": "",
+            "cut.off": OFF[:-20],
+            "garbage.off": b"\x00\xff\x13" * 50,
+            "garbage.stl": b"\x00\xff\x13" * 50,
+            "garbage.ply": b"\x00\xff\x13" * 50,
+            "words.obj": "v a b c\n",
+            "quads.obj": "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+            "counts.off": "OFF\n-1 2 3\n",
+            "picture.jpg": "",
+        }
+        for name, content in bad.items():
+            with self.subTest(name), self.assertRaises(anisoquad.MeshError) as caught:
+                read_triangles(self.file(name, content))
+            self.assertEqual(caught.exception.code, "unreadable_file")
+            self.assertIn(name, str(caught.exception))
+
+
+class Write(Folder):
+    def test_vtu_and_msh_keep_points_quads_and_rows(self):
+        mesh = two_quads()
+        for name in ("a.vtu", "a.msh"):
+            with self.subTest(name):
+                write_mesh(self.file(name), mesh)
+                read = meshio.read(self.file(name))
+                self.assertTrue(np.array_equal(read.points, mesh.points))
+                self.assertTrue(np.array_equal(read.get_cells_type("quad"), mesh.quads))
+        read = meshio.read(self.file("a.vtu"))
+        for field in ("row", "pass", "source", "patch", "scaled_jacobian"):
+            self.assertIn(field, read.cell_data)
+        self.assertEqual(read.cell_data["row"][0].tolist(), [1, 0])
+        read = meshio.read(self.file("a.msh"))
+        self.assertTrue(np.array_equal(read.get_cells_type("line"), mesh.line_edges[:, :2]))
+        self.assertEqual(read.get_cell_data("gmsh:physical", "quad").tolist(), [1, 2])
+
+    def test_inp_has_shells_and_sets(self):
+        write_mesh(self.file("a.inp"), two_quads())
+        text = self.file("a.inp").read_text()
+        self.assertIn("*ELEMENT, TYPE=S4, ELSET=Eall\n1,1,2,3,4\n2,2,5,6,3\n", text)
+        self.assertIn("*ELSET, ELSET=Source_1_Pass_1\n1,\n", text)
+        self.assertIn("*NSET, NSET=Line_2\n5,6,\n", text)
+        self.assertTrue(np.array_equal(meshio.read(self.file("a.inp")).points, two_quads().points))
+
+    def test_obj_and_su2(self):
+        mesh = two_quads()
+        write_mesh(self.file("a.obj"), mesh)
+        self.assertTrue(np.array_equal(meshio.read(self.file("a.obj")).points, mesh.points))
+        write_mesh(self.file("a.su2"), mesh)
+        text = self.file("a.su2").read_text()
+        self.assertIn("NDIME= 3\nNELEM= 2\n9 0 1 2 3 0\n9 1 4 5 2 1\nNPOIN= 6\n", text)
+        self.assertIn("MARKER_TAG= Line_1\nMARKER_ELEMS= 1\n3 0 3\n", text)
+
+    def test_what_can_not_be_written_is_told(self):
+        for path in (self.file("a.jpg"), self.folder / "absent" / "a.vtu", self.folder / "absent" / "a.inp"):
+            with self.subTest(path.name), self.assertRaises(anisoquad.MeshError) as caught:
+                write_mesh(path, two_quads())
+            self.assertEqual(caught.exception.code, "unwritable_file")
