@@ -83,6 +83,7 @@ Vertex insert_vertex(SurfaceMesh& mesh, Edge e, const Point& p) {
     const HalfEdge h_new = mesh.add_edge(v, b);  // v → b, after h
     const HalfEdge g_new = M::twin(h_new);       // b → v, before g
     mesh.info(M::edge(h_new)) = mesh.info(e);
+    mesh.info(v).size = 0.5 * (mesh.info(mesh.from(h)).size + mesh.info(b).size);
     if (mesh.info(e).line >= 0) {
         mesh.info(v).line = mesh.info(e).line;
         mesh.info(v).kind = NodeKind::line;
@@ -134,6 +135,13 @@ Vertex split_face(SurfaceMesh& mesh, Face f, const Point& p) {
         h = following;
     } while (h != first);
     mesh.set_halfedge(v, M::twin(first_spoke));
+    double size = 0.0;
+    int sides = 0;
+    for (const HalfEdge out : mesh.outgoing(v)) {
+        size += mesh.info(mesh.to(out)).size;
+        ++sides;
+    }
+    mesh.info(v).size = size / sides;
     return v;
 }
 
@@ -224,6 +232,8 @@ bool is_collapse_ok(const SurfaceMesh& mesh, HalfEdge h) {
         if (mesh.to(out) != b && mesh.find_halfedge(mesh.to(out), b).is_valid()) ++common;
     }
     if (common != triangles) return false;
+    // On a tetrahedron, or what quads make like it, the faces left would lie on each other.
+    if (!mesh.is_boundary(a) && !mesh.is_boundary(b) && mesh.valence(a) + mesh.valence(b) - 2 - triangles < 3) return false;
     // A quad beside a with b as its opposite node would be folded onto itself.
     for (const HalfEdge out : mesh.outgoing(a)) {
         const Face f = mesh.face(out);

@@ -50,6 +50,7 @@ class Checker {
         for (std::int32_t i = 0; i < mesh_.halfedge_slots() && !full(); ++i) check_halfedge(HalfEdge(i));
         for (std::int32_t i = 0; i < mesh_.vertex_slots() && !full(); ++i) check_vertex(Vertex(i));
         for (std::int32_t i = 0; i < mesh_.face_slots() && !full(); ++i) check_face(Face(i));
+        if (!full()) check_double_edges();
         if (!full()) check_duplicates();
         return defects_;
     }
@@ -67,6 +68,7 @@ class Checker {
         if (mesh_.face(mesh_.next(h)) != mesh_.face(h)) add("successor has another face at half-edge", h.index());
         if (mesh_.from(h) == mesh_.to(h)) add("half-edge joins a node to itself", h.index());
         if (mesh_.is_deleted(mesh_.from(h))) add("deleted node at half-edge", h.index());
+        if (mesh_.is_boundary(h) && mesh_.is_boundary(SurfaceMesh::twin(h))) add("no face beside half-edge", h.index());
         if (mesh_.face(h).is_valid() && mesh_.is_deleted(mesh_.face(h))) add("deleted face at half-edge", h.index());
     }
 
@@ -97,6 +99,21 @@ class Checker {
             nodes[n++] = mesh_.from(h);
         }
         if (n < 3) add("fewer than three nodes in face", f.index());
+    }
+
+    void check_double_edges() {
+        std::vector<std::array<std::int32_t, 3>> keys;
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            if (mesh_.is_deleted(Edge(i))) continue;
+            const HalfEdge h = SurfaceMesh::halfedge(Edge(i));
+            const std::int32_t a = mesh_.from(h).index();
+            const std::int32_t b = mesh_.to(h).index();
+            keys.push_back({std::min(a, b), std::max(a, b), i});
+        }
+        std::sort(keys.begin(), keys.end());
+        for (std::size_t i = 0; i + 1 < keys.size() && !full(); ++i) {
+            if (keys[i][0] == keys[i + 1][0] && keys[i][1] == keys[i + 1][1]) add("second edge between the same nodes: edge", keys[i + 1][2]);
+        }
     }
 
     void check_duplicates() {

@@ -18,7 +18,7 @@ struct Topology {
 Topology topology(const SurfaceMesh& mesh);
 
 /// Checks the half-edge structure: twins, loops, faces with three or four distinct nodes, boundary handles, duplicate faces,
-/// quads that share two edges with a node of valence two (doublets) excepted.
+/// two edges between the same nodes. Quads that share two edges at a node of valence two (doublets) are not defects.
 /// @returns one line per defect, at most `most`; empty = valid
 std::vector<std::string> validate(const SurfaceMesh& mesh, std::size_t most = 10);
 
