@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "input/check.h"
+
 namespace anisoquad {
 namespace {
 
@@ -177,6 +179,7 @@ class FeatureFinder {
 }  // namespace
 
 std::vector<FeatureLine> find_features(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options) {
+    check_feature_edges(mesh, options.feature_edges);
     return FeatureFinder(mesh, sources, options).run();
 }
 

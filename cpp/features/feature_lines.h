@@ -25,6 +25,7 @@ struct FeatureLine {
 /// EdgeInfo::source, VertexInfo::line and VertexInfo::kind; what they held before is forgotten.
 /// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
 /// @pre check_sources and check_options have passed
+/// @throws Error{invalid_feature_edge}
 /// @returns the lines; EdgeInfo::line is an index into them
 std::vector<FeatureLine> find_features(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options);
 

@@ -312,14 +312,17 @@ void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources) {
     for (std::size_t i = 0; i < sources.size(); ++i) checker.check(sources[i], i);
 }
 
-void check_options(const SurfaceMesh& mesh, const Options& options) {
+void check_options(const Options& options) {
     if (!(options.feature_angle > 0.0 && options.feature_angle <= 180.0)) {
         invalid_option("The feature angle must be above 0 and at most 180 degrees.");
     }
     if (!(options.row_growth >= 1.0 && std::isfinite(options.row_growth))) invalid_option("The row growth must be 1 or more.");
     if (options.smoothing_passes < 0) invalid_option("The number of smoothing passes must be 0 or more.");
+}
+
+void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges) {
     std::vector<std::int32_t> ids;
-    for (const auto& [a, b] : options.feature_edges) {
+    for (const auto& [a, b] : edges) {
         const auto exists = [&](std::int32_t v) { return v >= 0 && v < mesh.vertex_slots(); };
         if (!exists(a) || !exists(b) || !mesh.find_halfedge(Vertex(a), Vertex(b)).is_valid()) ids.insert(ids.end(), {a, b});
     }

@@ -23,9 +23,13 @@ void check_input(std::span<const Point> points, std::span<const std::array<std::
 /// @throws Error{invalid_source, invalid_option}
 void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources);
 
-/// Rejects options out of their range and feature edges that are not edges of the mesh.
+/// Rejects options out of their range.
+/// @throws Error{invalid_option}
+void check_options(const Options& options);
+
+/// Rejects pairs of vertices that are not edges of the mesh.
 /// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
-/// @throws Error{invalid_option, invalid_feature_edge}
-void check_options(const SurfaceMesh& mesh, const Options& options);
+/// @throws Error{invalid_feature_edge}
+void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges);
 
 }  // namespace anisoquad

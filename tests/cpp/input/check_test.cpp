@@ -199,13 +199,12 @@ TEST_F(CheckSources, RejectsImpossiblePasses) {
 }
 
 TEST(CheckOptions, RejectsValuesOutOfRange) {
-    const SurfaceMesh mesh = shapes::grid(2, 2).mesh();
     const auto with = [](auto set) {
         Options options;
         set(options);
         return options;
     };
-    EXPECT_NO_THROW(check_options(mesh, {}));
+    EXPECT_NO_THROW(check_options({}));
     const std::vector<Options> bad{
         with([](Options& o) { o.feature_angle = 0.0; }),
         with([](Options& o) { o.feature_angle = std::numeric_limits<double>::quiet_NaN(); }),
@@ -213,17 +212,16 @@ TEST(CheckOptions, RejectsValuesOutOfRange) {
         with([](Options& o) { o.smoothing_passes = -1; }),
     };
     for (const Options& options : bad) {
-        expect_error([&] { check_options(mesh, options); }, ErrorCode::invalid_option, ElementKind::none, {});
+        expect_error([&] { check_options(options); }, ErrorCode::invalid_option, ElementKind::none, {});
     }
 }
 
-TEST(CheckOptions, RejectsFeatureEdgesThatAreNoEdges) {
+TEST(CheckFeatureEdges, RejectsWhatIsNoEdge) {
     const SurfaceMesh mesh = shapes::grid(2, 2).mesh();
-    Options options;
-    options.feature_edges = {{0, 1}, {4, 3}, {0, 8}, {0, 9}};
-    expect_error([&] { check_options(mesh, options); }, ErrorCode::invalid_feature_edge, ElementKind::edge, {0, 8, 0, 9});
-    options.feature_edges.resize(2);
-    EXPECT_NO_THROW(check_options(mesh, options));
+    std::vector<std::array<std::int32_t, 2>> edges{{0, 1}, {4, 3}, {0, 8}, {0, 9}};
+    expect_error([&] { check_feature_edges(mesh, edges); }, ErrorCode::invalid_feature_edge, ElementKind::edge, {0, 8, 0, 9});
+    edges.resize(2);
+    EXPECT_NO_THROW(check_feature_edges(mesh, edges));
 }
 
 }  // namespace

@@ -1,0 +1,273 @@
+#include "quality/measure.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "mesh/arrays.h"
+#include "mesh/validate.h"
+#include "quality/distance.h"
+#include "quality/metrics.h"
+#include "quality/row_report.h"
+#include "surface/reference_surface.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+using Eigen::Vector3d;
+using Triangles = std::span<const std::array<std::int32_t, 3>>;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Value below which the share `q` of the sorted values lies, interpolated linearly.
+double percentile(const std::vector<double>& sorted, double q) {
+    if (sorted.empty()) return 0.0;
+    const double place = q * static_cast<double>(sorted.size() - 1);
+    const auto i = static_cast<std::size_t>(place);
+    const double next = sorted[std::min(i + 1, sorted.size() - 1)];
+    return sorted[i] + (place - static_cast<double>(i)) * (next - sorted[i]);
+}
+
+class Measurer {
+  public:
+    Measurer(const SurfaceMesh& mesh, std::span<const Point> points, Triangles triangles, Report& report)
+        : mesh_(mesh), points_(points), triangles_(triangles), report_(report), arrays_(to_arrays(mesh)), reference_(points, triangles) {
+        for (std::size_t i = 0; i < arrays_.faces.size(); ++i) {
+            if (arrays_.faces[i][3] >= 0) quads_.push_back(i);
+        }
+    }
+
+    void run(std::span<const Source> sources) {
+        count_elements();
+        measure_quality();
+        count_inverted();
+        measure_corners();
+        count_valences();
+        compare_row_ends();
+        report_.rows = measure_rows(mesh_, sources);
+        measure_distance();
+    }
+
+  private:
+    Face face(std::size_t i) const { return arrays_.face_handles[i]; }
+
+    void count_elements() {
+        const auto as_count = [](std::size_t n) { return static_cast<std::int32_t>(n); };
+        report_.triangles_in = as_count(triangles_.size());
+        report_.quads = as_count(quads_.size());
+        report_.nodes = as_count(arrays_.points.size());
+        report_.triangles_left = as_count(arrays_.faces.size() - quads_.size());
+        report_.reduction_percent = triangles_.empty() ? 0.0 : 100.0 * (1.0 - static_cast<double>(report_.quads) / report_.triangles_in);
+        const Topology topology_out = topology(mesh_);
+        report_.components = topology_out.components;
+        report_.euler_out = topology_out.euler_characteristic;
+        report_.euler_in = topology(from_arrays(points_, triangles_)).euler_characteristic;
+    }
+
+    /// @param measure (mesh, face) → value
+    template <class Measure>
+    Distribution distribution(Measure measure, bool small_is_bad) {
+        values_.clear();
+        Distribution result;
+        double worst = 0.0;
+        for (const std::size_t i : quads_) {
+            const double value = measure(face(i));
+            if (result.worst < 0 || (small_is_bad ? value < worst : value > worst)) {
+                worst = value;
+                result.worst = static_cast<std::int32_t>(i);
+            }
+            if (std::isfinite(value)) values_.push_back(value);
+        }
+        if (values_.empty()) return result;
+        std::sort(values_.begin(), values_.end());
+        double sum = 0.0;
+        for (const double value : values_) sum += value;
+        result.min = values_.front();
+        result.p5 = percentile(values_, 0.05);
+        result.mean = sum / static_cast<double>(values_.size());
+        result.p95 = percentile(values_, 0.95);
+        result.max = values_.back();
+        return result;
+    }
+
+    void measure_quality() {
+        report_.scaled_jacobian = distribution([&](Face f) { return scaled_jacobian(mesh_, f); }, true);
+        report_.aspect_ratio = distribution([&](Face f) { return aspect_ratio(mesh_, f); }, false);
+        report_.min_angle = distribution([&](Face f) { return min_angle(mesh_, f); }, true);
+        report_.max_angle = distribution([&](Face f) { return max_angle(mesh_, f); }, false);
+        report_.skew = distribution([&](Face f) { return skew(mesh_, f); }, false);
+        report_.warpage = distribution([&](Face f) { return warpage(mesh_, f); }, false);
+    }
+
+    Vector3d area_vector(Face f) const {
+        const HalfEdge h = mesh_.halfedge(f);
+        const Point& a = mesh_.position(mesh_.from(h));
+        const Point& c = mesh_.position(mesh_.to(mesh_.next(h)));
+        return 0.5 * (c - a).cross(mesh_.position(mesh_.from(mesh_.prev(h))) - mesh_.position(mesh_.to(h)));
+    }
+
+    /// Folded quads, and those turned over as a whole: against the surface below them and against a neighbour. The neighbour is
+    /// asked too because on a thin body the closest facet can be one of the other side.
+    void count_inverted() {
+        report_.inverted = 0;
+        std::int32_t hint = -1;
+        for (const std::size_t i : quads_) {
+            if (!(scaled_jacobian(mesh_, face(i)) > 0.0)) {
+                ++report_.inverted;
+                continue;
+            }
+            const Vector3d normal = area_vector(face(i));
+            Point centre = Point::Zero();
+            bool against_neighbour = false;
+            for (const HalfEdge h : mesh_.halfedges(face(i))) {
+                centre += 0.25 * mesh_.position(mesh_.from(h));
+                const Face other = mesh_.face(M::twin(h));
+                against_neighbour |= !mesh_.is_constrained(M::edge(h)) && normal.dot(area_vector(other)) < 0.0;
+            }
+            if (!against_neighbour) continue;
+            const SurfacePoint below = reference_.closest(centre, ReferenceSurface::kAnyPatch, hint);
+            hint = below.facet;
+            report_.inverted += normal.dot(below.normal) < 0.0;
+        }
+    }
+
+    /// Angle (degrees) of the face of twin(h) at from(h), between h and the next half-edge clockwise.
+    double corner_angle(HalfEdge h) const {
+        const Point& p = mesh_.position(mesh_.from(h));
+        const Vector3d u = mesh_.position(mesh_.to(h)) - p;
+        const Vector3d v = mesh_.position(mesh_.to(mesh_.rotated_cw(h))) - p;
+        return std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::numbers::pi;
+    }
+
+    /// Calls f(angle, faces, face) for every sector of a patch between neighbouring constrained edges at the node.
+    template <class Function>
+    void for_sectors(Vertex v, Function f) const {
+        HalfEdge first;
+        int lines = 0;
+        for (const HalfEdge h : mesh_.outgoing(v)) {
+            if (!mesh_.is_constrained(M::edge(h))) continue;
+            ++lines;
+            first = h;
+        }
+        if (lines < 2) return;
+        HalfEdge h = first;
+        do {
+            double angle = 0.0;
+            int faces = 0;
+            bool outside = false;
+            Face last;
+            do {
+                last = mesh_.face(M::twin(h));
+                outside |= !last.is_valid();
+                angle += corner_angle(h);
+                ++faces;
+                h = mesh_.rotated_cw(h);
+            } while (!mesh_.is_constrained(M::edge(h)));
+            if (!outside) f(angle, faces, last);
+        } while (h != first);
+    }
+
+    void measure_corners() {
+        double sharpest = 180.0;
+        constexpr double kNoLimit = 2.0;
+        std::vector<double> limit(at(mesh_.face_slots()), kNoLimit);  // sine of the feature corner that a quad fills alone
+        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            if (mesh_.is_deleted(Vertex(i))) continue;
+            for_sectors(Vertex(i), [&](double angle, int faces, Face f) {
+                sharpest = std::min(sharpest, angle);
+                if (faces > 1 || angle >= 90.0) return;
+                limit[at(f.index())] = std::min(limit[at(f.index())], std::sin(angle * std::numbers::pi / 180.0));
+            });
+        }
+        report_.sharpest_corner = sharpest;
+        report_.scaled_jacobian_limit = sharpest < 90.0 ? std::sin(sharpest * std::numbers::pi / 180.0) : 1.0;
+
+        // Corner quads count too unless their limit is below the minimum over all the quads that count.
+        struct CornerQuad {
+            double limit;
+            double value;
+        };
+        std::vector<CornerQuad> corner_quads;
+        double elsewhere = std::numeric_limits<double>::infinity();
+        for (const std::size_t i : quads_) {
+            const double value = scaled_jacobian(mesh_, face(i));
+            const double most = limit[at(face(i).index())];
+            if (most < kNoLimit) {
+                corner_quads.push_back({most, value});
+            } else {
+                elsewhere = std::min(elsewhere, value);
+            }
+        }
+        std::sort(corner_quads.begin(), corner_quads.end(), [](const CornerQuad& a, const CornerQuad& b) { return a.limit > b.limit; });
+        for (const CornerQuad& quad : corner_quads) {
+            if (std::isfinite(elsewhere) && quad.limit < elsewhere) break;
+            elsewhere = std::min(elsewhere, quad.value);
+        }
+        report_.scaled_jacobian_min_elsewhere = std::isfinite(elsewhere) ? elsewhere : 0.0;
+    }
+
+    void count_valences() {
+        std::int32_t interior = 0;
+        report_.valence_histogram.clear();
+        for (const Vertex v : arrays_.vertices) {
+            if (mesh_.is_boundary(v)) continue;
+            const auto valence = at(mesh_.valence(v));
+            if (report_.valence_histogram.size() <= valence) report_.valence_histogram.resize(valence + 1, 0);
+            ++report_.valence_histogram[valence];
+            ++interior;
+        }
+        const std::int32_t regular = report_.valence_histogram.size() > 4 ? report_.valence_histogram[4] : 0;
+        report_.regular_percent = interior > 0 ? 100.0 * regular / interior : 100.0;
+    }
+
+    void compare_row_ends() {
+        values_.clear();
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            const Edge e(i);
+            if (mesh_.is_deleted(e) || mesh_.is_boundary(e)) continue;
+            const Face f = mesh_.face(M::halfedge(e, 0));
+            const Face g = mesh_.face(M::halfedge(e, 1));
+            if ((mesh_.info(f).row > 0) == (mesh_.info(g).row > 0) || !mesh_.is_quad(f) || !mesh_.is_quad(g)) continue;
+            const double a = area(mesh_, f);
+            const double b = area(mesh_, g);
+            if (std::min(a, b) > 0.0) values_.push_back(std::max(a, b) / std::min(a, b));
+        }
+        std::sort(values_.begin(), values_.end());
+        report_.neighbour_area_ratio_p95 = values_.empty() ? 1.0 : percentile(values_, 0.95);
+        report_.neighbour_area_ratio_max = values_.empty() ? 1.0 : values_.back();
+    }
+
+    void measure_distance() {
+        std::vector<std::array<std::int32_t, 3>> halves;
+        for (const auto& f : arrays_.faces) {
+            halves.push_back({f[0], f[1], f[2]});
+            if (f[3] >= 0) halves.push_back({f[0], f[2], f[3]});
+        }
+        const double out = distance_to(reference_, arrays_.points, halves);
+        const double back = distance_to(ReferenceSurface(arrays_.points, halves), points_, triangles_);
+        report_.hausdorff = std::max(out, back);
+        report_.hausdorff_relative = report_.hausdorff / reference_.diagonal();
+    }
+
+    const SurfaceMesh& mesh_;
+    std::span<const Point> points_;
+    Triangles triangles_;
+    Report& report_;
+    MeshArrays arrays_;
+    ReferenceSurface reference_;
+    std::vector<std::size_t> quads_;  ///< places in arrays_.faces
+    std::vector<double> values_;
+};
+
+}  // namespace
+
+void measure(const SurfaceMesh& result, std::span<const Point> input_points, Triangles input_triangles, Report& report,
+             std::span<const Source> sources) {
+    Measurer(result, input_points, input_triangles, report).run(sources);
+}
+
+}  // namespace anisoquad
