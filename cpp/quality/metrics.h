@@ -23,7 +23,7 @@ double aspect_ratio(const SurfaceMesh& mesh, Face f);
 double min_angle(const Point& a, const Point& b, const Point& c, const Point& d);
 double min_angle(const SurfaceMesh& mesh, Face f);
 
-/// Largest angle between two neighbouring edges, degrees, 90…360 (above 180 where a corner is folded); 360 when an edge has
+/// Largest angle between two neighbouring edges, degrees, up to 360 (above 180 where a corner is folded); 360 when an edge has
 /// no length.
 double max_angle(const Point& a, const Point& b, const Point& c, const Point& d);
 double max_angle(const SurfaceMesh& mesh, Face f);
