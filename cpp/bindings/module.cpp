@@ -52,7 +52,8 @@ py::dict to_dict(QuadMeshResult&& result) {
     return dict;
 }
 
-py::dict mesh(const Points& points, const Triangles& triangles, const std::vector<Source>& sources, const Options& options,
+// The options by value: while the GIL is released, Python may change its own.
+py::dict mesh(const Points& points, const Triangles& triangles, const std::vector<Source>& sources, Options options,
               const py::object& progress) {
     if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
     if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
