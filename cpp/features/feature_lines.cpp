@@ -98,7 +98,8 @@ class FeatureFinder {
                 ++n;
             }
             if (n == 0) continue;
-            const bool smooth = n == 2 && kind(out[0]) == kind(out[1]) && -direction(out[0]).dot(direction(out[1])) >= kCornerCosine;
+            const bool smooth =
+                n == 2 && kind(out[0]) == kind(out[1]) && -direction(out[0]).dot(direction(out[1])) >= kCornerCosine;
             mesh_.info(v).kind = smooth ? NodeKind::line : NodeKind::corner;
         }
         for (const Source& source : sources_) {
@@ -108,7 +109,9 @@ class FeatureFinder {
         }
     }
 
-    Eigen::Vector3d direction(HalfEdge h) const { return (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).normalized(); }
+    Eigen::Vector3d direction(HalfEdge h) const {
+        return (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).normalized();
+    }
 
     /// The source's lines run in its direction, cut at its corners; a closed source without one starts where the user began.
     void add_source(std::int32_t index) {

@@ -19,9 +19,9 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Components of unmeshed triangles and the parity of their boundaries.
 struct Components {
-    std::vector<std::int32_t> of_face;      ///< -1 for quads
-    std::vector<Face> first;                ///< lowest face of each component
-    std::vector<std::int32_t> edges;        ///< boundary edges of each component
+    std::vector<std::int32_t> of_face;  ///< -1 for quads
+    std::vector<Face> first;            ///< lowest face of each component
+    std::vector<std::int32_t> edges;    ///< boundary edges of each component
 
     explicit Components(const SurfaceMesh& mesh) : of_face(at(mesh.face_slots()), -1) {
         std::vector<Face> stack;
@@ -98,7 +98,9 @@ class ParityMaker {
     };
 
     /// Component on that side, outside_ for nothing, -1 for a quad.
-    std::int32_t node(HalfEdge h) const { return mesh_.is_boundary(h) ? outside_ : components_.of_face[at(mesh_.face(h).index())]; }
+    std::int32_t node(HalfEdge h) const {
+        return mesh_.is_boundary(h) ? outside_ : components_.of_face[at(mesh_.face(h).index())];
+    }
 
     /// Every split costs 1, and more the shorter the edge is compared with the mean of the line edges that it touches.
     double cost(Edge e) const {
@@ -119,7 +121,8 @@ class ParityMaker {
     void find_links() {
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
             const Edge e(i);
-            if (mesh_.is_deleted(e) || !mesh_.is_constrained(e) || (options_.sources_are_segmented && mesh_.info(e).source)) continue;
+            if (mesh_.is_deleted(e) || !mesh_.is_constrained(e) || (options_.sources_are_segmented && mesh_.info(e).source))
+                continue;
             const auto [a, b] = std::minmax({node(M::halfedge(e, 0)), node(M::halfedge(e, 1))});
             if (a >= 0 && a != b) links_.push_back({a, b, cost(e), e});
         }
@@ -209,7 +212,8 @@ class ParityMaker {
             const Link& link = links_[i];
             const std::int32_t a = region_[at(link.a)];
             const std::int32_t b = region_[at(link.b)];
-            if (a >= 0 && b >= 0 && a != b) bridges.push_back({distance_[at(link.a)] + link.cost + distance_[at(link.b)], static_cast<std::int32_t>(i)});
+            if (a >= 0 && b >= 0 && a != b)
+                bridges.push_back({distance_[at(link.a)] + link.cost + distance_[at(link.b)], static_cast<std::int32_t>(i)});
         }
         std::sort(bridges.begin(), bridges.end());
         const auto n = static_cast<std::int32_t>(terminals_.size());
@@ -275,12 +279,12 @@ class ParityMaker {
     Components components_;
     std::int32_t outside_;  ///< node of the graph that stands for what lies beyond the boundary
     std::vector<Link> links_;
-    std::vector<std::int32_t> start_;     ///< per node: first of its links in incident_
+    std::vector<std::int32_t> start_;  ///< per node: first of its links in incident_
     std::vector<std::int32_t> incident_;
     std::vector<std::int32_t> terminals_;
-    std::vector<double> distance_;        ///< per node: to its nearest terminal
-    std::vector<std::int32_t> region_;    ///< per node: that terminal's place in terminals_
-    std::vector<std::int32_t> way_;       ///< per node: link to walk towards it, -1 at the terminal
+    std::vector<double> distance_;      ///< per node: to its nearest terminal
+    std::vector<std::int32_t> region_;  ///< per node: that terminal's place in terminals_
+    std::vector<std::int32_t> way_;     ///< per node: link to walk towards it, -1 at the terminal
     std::vector<char> used_;
     ParityResult result_;
 };

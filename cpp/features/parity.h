@@ -12,10 +12,10 @@ struct ParityOptions {
 };
 
 struct ParityResult {
-    std::int32_t odd = 0;              ///< components with an odd number of boundary edges that were met
-    std::int32_t splits = 0;           ///< edges that were split
-    std::vector<Vertex> new_nodes;     ///< their midpoints, in the order of the splits
-    std::vector<std::int32_t> left;    ///< patches of components that no split can make even
+    std::int32_t odd = 0;            ///< components with an odd number of boundary edges that were met
+    std::int32_t splits = 0;         ///< edges that were split
+    std::vector<Vertex> new_nodes;   ///< their midpoints, in the order of the splits
+    std::vector<std::int32_t> left;  ///< patches of components that no split can make even
 };
 
 /// Makes the number of boundary edges of every component of unmeshed triangles even, which filling it with quads needs

@@ -49,9 +49,7 @@ class InputChecker {
         std::int32_t low;
         std::int32_t high;
         std::int32_t corner;
-        bool operator<(const DirectedEdge& other) const {
-            return high != other.high ? high < other.high : corner < other.corner;
-        }
+        bool operator<(const DirectedEdge& other) const { return high != other.high ? high < other.high : corner < other.corner; }
         bool same_edge(const DirectedEdge& other) const { return low == other.low && high == other.high; }
     };
 
@@ -73,7 +71,8 @@ class InputChecker {
         const auto n = static_cast<std::int32_t>(points_.size());
         for (std::size_t f = 0; f < triangles_.size(); ++f) {
             const auto& t = triangles_[f];
-            if (std::any_of(t.begin(), t.end(), [n](std::int32_t v) { return v < 0 || v >= n; })) ids.push_back(static_cast<std::int32_t>(f));
+            if (std::any_of(t.begin(), t.end(), [n](std::int32_t v) { return v < 0 || v >= n; }))
+                ids.push_back(static_cast<std::int32_t>(f));
         }
         const std::string outside = count(ids.size(), "facet names", "facets name");
         reject(ErrorCode::index_out_of_range, ElementKind::facet, std::move(ids),
@@ -87,12 +86,14 @@ class InputChecker {
             const Point u = points_[at(b)] - points_[at(a)];
             const Point v = points_[at(c)] - points_[at(a)];
             const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-            if (a == b || b == c || c == a || !(u.cross(v).norm() > kNoArea * longest)) ids.push_back(static_cast<std::int32_t>(f));
+            if (a == b || b == c || c == a || !(u.cross(v).norm() > kNoArea * longest))
+                ids.push_back(static_cast<std::int32_t>(f));
         }
         const std::string flat = count(ids.size(), "facet has", "facets have");
         reject(ErrorCode::degenerate_facets, ElementKind::facet, std::move(ids),
-               flat + " no area: two corners are the same or at the same place, or all three lie on one line. "
-                      "Remove them, or mesh with repair.");
+               flat +
+                   " no area: two corners are the same or at the same place, or all three lie on one line. "
+                   "Remove them, or mesh with repair.");
     }
 
     /// Brings the half-edges of an edge together: a counting sort by the lower end, then by the other end.
@@ -126,7 +127,8 @@ class InputChecker {
         for_edges([&](std::size_t first, std::size_t last) {
             if (last - first < 2) return;
             opposite.clear();
-            for (std::size_t i = first; i < last; ++i) opposite.emplace_back(vertex(prev(edges_[i].corner)), edges_[i].corner / 3);
+            for (std::size_t i = first; i < last; ++i)
+                opposite.emplace_back(vertex(prev(edges_[i].corner)), edges_[i].corner / 3);
             std::sort(opposite.begin(), opposite.end());
             for (std::size_t i = 1; i < opposite.size(); ++i) {
                 if (opposite[i].first == opposite[i - 1].first) ids.push_back(opposite[i].second);
@@ -146,8 +148,9 @@ class InputChecker {
         });
         const std::string shared = count(ids.size() / 2, "edge is", "edges are");
         reject(ErrorCode::non_manifold_edges, ElementKind::edge, std::move(ids),
-               shared + " shared by three or more facets. A surface has at most two at an edge: split the mesh there into separate "
-                        "surfaces, delete the surplus facets, or mesh with repair.",
+               shared +
+                   " shared by three or more facets. A surface has at most two at an edge: split the mesh there into separate "
+                   "surfaces, delete the surplus facets, or mesh with repair.",
                2);
     }
 
@@ -173,11 +176,14 @@ class InputChecker {
         std::vector<std::int32_t> turned;
         if (!find_turned(neighbour, turned)) {
             reject(ErrorCode::inconsistent_orientation, ElementKind::edge, std::move(clashes),
-                   "The surface has only one side (like a Moebius strip), so its facets cannot be oriented. Cut it open along a line.", 2);
+                   "The surface has only one side (like a Moebius strip), so its facets cannot be oriented. Cut it open along a "
+                   "line.",
+                   2);
         }
         const std::string wrong = count(turned.size(), "facet is", "facets are");
         reject(ErrorCode::inconsistent_orientation, ElementKind::facet, std::move(turned),
-               wrong + " turned the other way than the rest of the surface. Flip them (harmonize the normals), or mesh with repair.");
+               wrong +
+                   " turned the other way than the rest of the surface. Flip them (harmonize the normals), or mesh with repair.");
     }
 
     /// The smaller set of facets of every component that must be flipped. @returns false if the surface is one-sided
@@ -228,7 +234,9 @@ class InputChecker {
         std::sort(ids.begin(), ids.end());
         const std::string pinched = count(ids.size(), "vertex joins", "vertices join");
         reject(ErrorCode::non_manifold_vertices, ElementKind::vertex, std::move(ids),
-               pinched + " parts of the surface that share no edge there. Give each part its own vertex at that place, or mesh with repair.");
+               pinched +
+                   " parts of the surface that share no edge there. Give each part its own vertex at that place, or mesh with "
+                   "repair.");
     }
 
     std::span<const Point> points_;
@@ -252,27 +260,31 @@ class SourceChecker {
   private:
     enum class Use : std::uint8_t { none, end, inner };
 
-    [[noreturn]] void fail(const std::string& message, ElementKind kind = ElementKind::none, std::vector<std::int32_t> ids = {}) const {
+    [[noreturn]] void fail(const std::string& message, ElementKind kind = ElementKind::none,
+                           std::vector<std::int32_t> ids = {}) const {
         throw Error(ErrorCode::invalid_source, name_ + message, kind, std::move(ids));
     }
 
     void check_passes(const Source& source) const {
         for (const Pass& pass : source.passes) {
             if (pass.ratio < 1) throw Error(ErrorCode::invalid_option, name_ + "a pass's ratio must be 1 or more.");
-            if (pass.rows < 0) throw Error(ErrorCode::invalid_option, name_ + "a pass's number of rows must be 0 (automatic) or more.");
+            if (pass.rows < 0)
+                throw Error(ErrorCode::invalid_option, name_ + "a pass's number of rows must be 0 (automatic) or more.");
         }
     }
 
     void check_path(const std::vector<std::int32_t>& nodes) {
         if (nodes.size() < 2) fail("a line needs at least two vertices.", ElementKind::vertex, nodes);
         for (const std::int32_t v : nodes) {
-            if (v < 0 || v >= mesh_.vertex_slots()) fail("vertex " + std::to_string(v) + " does not exist.", ElementKind::vertex, {v});
+            if (v < 0 || v >= mesh_.vertex_slots())
+                fail("vertex " + std::to_string(v) + " does not exist.", ElementKind::vertex, {v});
         }
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
             const HalfEdge h = mesh_.find_halfedge(Vertex(nodes[i]), Vertex(nodes[i + 1]));
             const std::string pair = std::to_string(nodes[i]) + " and " + std::to_string(nodes[i + 1]);
             if (!h.is_valid()) {
-                fail("vertices " + pair + " are not joined by an edge of the mesh. A line runs along edges: list every vertex on its way.",
+                fail("vertices " + pair +
+                         " are not joined by an edge of the mesh. A line runs along edges: list every vertex on its way.",
                      ElementKind::edge, {nodes[i], nodes[i + 1]});
             }
             char& used = edge_used_[at(SurfaceMesh::edge(h).index())];
@@ -296,7 +308,7 @@ class SourceChecker {
     }
 
     const SurfaceMesh& mesh_;
-    std::vector<Use> use_;          ///< by the sources so far
+    std::vector<Use> use_;  ///< by the sources so far
     std::vector<char> edge_used_;
     std::string name_;
 };

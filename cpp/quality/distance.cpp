@@ -5,7 +5,8 @@
 
 namespace anisoquad {
 
-double distance_to(const ReferenceSurface& surface, std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles) {
+double distance_to(const ReferenceSurface& surface, std::span<const Point> points,
+                   std::span<const std::array<std::int32_t, 3>> triangles) {
     double largest = 0.0;
     std::vector<char> seen(points.size(), 0);
     std::int32_t hint = -1;  // triangles near each other in memory are near each other in space

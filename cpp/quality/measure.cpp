@@ -35,7 +35,12 @@ double percentile(const std::vector<double>& sorted, double q) {
 class Measurer {
   public:
     Measurer(const SurfaceMesh& mesh, std::span<const Point> points, Triangles triangles, Report& report)
-        : mesh_(mesh), points_(points), triangles_(triangles), report_(report), arrays_(to_arrays(mesh)), reference_(points, triangles) {
+        : mesh_(mesh),
+          points_(points),
+          triangles_(triangles),
+          report_(report),
+          arrays_(to_arrays(mesh)),
+          reference_(points, triangles) {
         for (std::size_t i = 0; i < arrays_.faces.size(); ++i) {
             if (arrays_.faces[i][3] >= 0) quads_.push_back(i);
         }
@@ -61,7 +66,8 @@ class Measurer {
         report_.quads = as_count(quads_.size());
         report_.nodes = as_count(arrays_.points.size());
         report_.triangles_left = as_count(arrays_.faces.size() - quads_.size());
-        report_.reduction_percent = triangles_.empty() ? 0.0 : 100.0 * (1.0 - static_cast<double>(report_.quads) / report_.triangles_in);
+        report_.reduction_percent =
+            triangles_.empty() ? 0.0 : 100.0 * (1.0 - static_cast<double>(report_.quads) / report_.triangles_in);
         const Topology topology_out = topology(mesh_);
         report_.components = topology_out.components;
         report_.euler_out = topology_out.euler_characteristic;
@@ -202,7 +208,8 @@ class Measurer {
                 elsewhere = std::min(elsewhere, value);
             }
         }
-        std::sort(corner_quads.begin(), corner_quads.end(), [](const CornerQuad& a, const CornerQuad& b) { return a.limit > b.limit; });
+        std::sort(corner_quads.begin(), corner_quads.end(),
+                  [](const CornerQuad& a, const CornerQuad& b) { return a.limit > b.limit; });
         for (const CornerQuad& quad : corner_quads) {
             if (std::isfinite(elsewhere) && quad.limit < elsewhere) break;
             elsewhere = std::min(elsewhere, quad.value);

@@ -17,10 +17,7 @@ namespace anisoquad {
 /// the quality measures. Percentiles interpolate linearly between the sorted values.
 /// @param input_triangles the triangulation that was meshed, checked by check_input(), in the frame and units of `result`
 /// @param sources tell the left from the right side of the rows
-void measure(const SurfaceMesh& result,
-             std::span<const Point> input_points,
-             std::span<const std::array<std::int32_t, 3>> input_triangles,
-             Report& report,
-             std::span<const Source> sources = {});
+void measure(const SurfaceMesh& result, std::span<const Point> input_points,
+             std::span<const std::array<std::int32_t, 3>> input_triangles, Report& report, std::span<const Source> sources = {});
 
 }  // namespace anisoquad

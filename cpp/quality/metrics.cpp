@@ -16,24 +16,20 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Edges, lengths and corner normals of a quad: what all measures share.
 struct Quad {
-    std::array<Vector3d, 4> edge;    ///< edge k leaves node k
+    std::array<Vector3d, 4> edge;  ///< edge k leaves node k
     std::array<double, 4> length;
 
     Quad(const Point& a, const Point& b, const Point& c, const Point& d) : edge{b - a, c - b, d - c, a - d} {
         for (std::size_t k = 0; k < 4; ++k) length[k] = edge[k].norm();
     }
 
-    bool has_zero_edge() const {
-        return *std::min_element(length.begin(), length.end()) < std::numeric_limits<double>::min();
-    }
+    bool has_zero_edge() const { return *std::min_element(length.begin(), length.end()) < std::numeric_limits<double>::min(); }
     const Vector3d& before(std::size_t k) const { return edge[(k + 3) % 4]; }
     Vector3d corner_normal(std::size_t k) const { return before(k).cross(edge[k]); }
     Vector3d first_axis() const { return edge[0] - edge[2]; }
     Vector3d second_axis() const { return edge[1] - edge[3]; }
     Vector3d center_normal() const { return first_axis().cross(second_axis()); }
-    double corner_angle(std::size_t k) const {
-        return std::atan2(corner_normal(k).norm(), -before(k).dot(edge[k])) * kDegrees;
-    }
+    double corner_angle(std::size_t k) const { return std::atan2(corner_normal(k).norm(), -before(k).dot(edge[k])) * kDegrees; }
 };
 
 /// Length 1 whatever the size of the vector; zero stays zero.
@@ -112,10 +108,10 @@ double warpage(const Point& a, const Point& b, const Point& c, const Point& d) {
 
 double area(const Point& a, const Point& b, const Point& c, const Point& d) { return 0.5 * (c - a).cross(d - b).norm(); }
 
-#define ANISOQUAD_FOR_FACE(measure)                      \
-    double measure(const SurfaceMesh& mesh, Face f) {    \
-        const auto [a, b, c, d] = nodes(mesh, f);        \
-        return measure(a, b, c, d);                      \
+#define ANISOQUAD_FOR_FACE(measure)                   \
+    double measure(const SurfaceMesh& mesh, Face f) { \
+        const auto [a, b, c, d] = nodes(mesh, f);     \
+        return measure(a, b, c, d);                   \
     }
 ANISOQUAD_FOR_FACE(scaled_jacobian)
 ANISOQUAD_FOR_FACE(aspect_ratio)

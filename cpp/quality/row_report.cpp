@@ -60,7 +60,8 @@ class RowWalker {
         Side side = both;
         for (std::int32_t row = 1;; ++row) {
             const Face f = mesh_.face(base);
-            if (!f.is_valid() || !mesh_.is_quad(f) || mesh_.info(f).row != row || seen_[static_cast<std::size_t>(f.index())]) return;
+            if (!f.is_valid() || !mesh_.is_quad(f) || mesh_.info(f).row != row || seen_[static_cast<std::size_t>(f.index())])
+                return;
             if (row == 1) side = side_of(base, mesh_.info(f).source);
             seen_[static_cast<std::size_t>(f.index())] = 1;
             const HalfEdge top = mesh_.next(mesh_.next(base));
@@ -116,6 +117,8 @@ class RowWalker {
 
 }  // namespace
 
-std::vector<RowReport> measure_rows(const SurfaceMesh& mesh, std::span<const Source> sources) { return RowWalker(mesh, sources).run(); }
+std::vector<RowReport> measure_rows(const SurfaceMesh& mesh, std::span<const Source> sources) {
+    return RowWalker(mesh, sources).run();
+}
 
 }  // namespace anisoquad

@@ -46,7 +46,8 @@ Shape grid_with_holes(int nx, int ny, Keep keep, double dx = 1.0, double dy = 1.
 }
 
 inline Shape grid(int nx, int ny, double dx = 1.0, double dy = 1.0) {
-    return grid_with_holes(nx, ny, [](int, int) { return true; }, dx, dy);
+    return grid_with_holes(
+        nx, ny, [](int, int) { return true; }, dx, dy);
 }
 
 /// n × m cells bent to a band of the given radius around z, open at both ends; point (i, j) has the index j·n + i.
@@ -84,7 +85,8 @@ inline Shape sphere(int n, int m, double radius = 1.0) {
     for (int i = 0; i < n; ++i) {
         const std::int32_t right = (i + 1) % n;
         shape.triangles.push_back({top, i, right});
-        for (int j = 0; j + 2 < m; ++j) shape.add_quad(j * n + i, (j + 1) * n + i, (j + 1) * n + right, j * n + right, (i + j) % 2 == 1);
+        for (int j = 0; j + 2 < m; ++j)
+            shape.add_quad(j * n + i, (j + 1) * n + i, (j + 1) * n + right, j * n + right, (i + j) % 2 == 1);
         shape.triangles.push_back({top + 1, (m - 2) * n + right, (m - 2) * n + i});
     }
     return shape;

@@ -53,7 +53,7 @@ TEST(Parity, AnEvenMeshStaysAsItIs) {
 TEST(Parity, AnOddPlaneIsSplitOnceAtItsLongestEdge) {
     shapes::Shape shape = shapes::grid(4, 4);
     shape.triangles.erase(shape.triangles.begin());  // the boundary edge 0–1, 1–6 becomes 0–6
-    shape.points[24] += Point(0.6, 0.0, 0.0);  // stretches 23–24 to 1.6, beside 24–19 (1.17) and 22–23 (1)
+    shape.points[24] += Point(0.6, 0.0, 0.0);        // stretches 23–24 to 1.6, beside 24–19 (1.17) and 22–23 (1)
     SurfaceMesh mesh = prepared(shape);
     ASSERT_EQ(count_odd_components(mesh), 1);
     const ParityResult result = expect_even(mesh);

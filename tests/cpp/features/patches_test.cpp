@@ -21,7 +21,8 @@ std::int32_t patches_of(SurfaceMesh& mesh, const std::vector<Source>& sources = 
     EXPECT_EQ(seen, patches);
     for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
         if (mesh.is_constrained(Edge(i))) continue;
-        EXPECT_EQ(mesh.info(mesh.face(SurfaceMesh::halfedge(Edge(i), 0))).patch, mesh.info(mesh.face(SurfaceMesh::halfedge(Edge(i), 1))).patch);
+        EXPECT_EQ(mesh.info(mesh.face(SurfaceMesh::halfedge(Edge(i), 0))).patch,
+                  mesh.info(mesh.face(SurfaceMesh::halfedge(Edge(i), 1))).patch);
     }
     return patches;
 }

@@ -86,9 +86,7 @@ TEST(CheckInput, RejectsFacetsWithoutArea) {
     expect_rejected(shape, ErrorCode::degenerate_facets, ElementKind::facet, {facets, facets + 1, facets + 2});
 }
 
-TEST(CheckInput, KeepsThinFacets) {
-    expect_valid(shapes::grid(3, 3, 1.0, 1e-5));
-}
+TEST(CheckInput, KeepsThinFacets) { expect_valid(shapes::grid(3, 3, 1.0, 1e-5)); }
 
 TEST(CheckInput, RejectsDuplicateFacets) {
     Shape shape = shapes::grid(3, 3);
@@ -114,7 +112,8 @@ TEST(CheckInput, RejectsVerticesWithTwoFans) {
     // two closed surfaces that share a vertex
     Shape pair = shapes::joined(shapes::cube(1), shapes::placed(shapes::cube(1), 1.0, {1, 1, 1}));
     const auto at_corner = [](const Point& p) { return (p - Point(1, 1, 1)).norm() < 1e-12; };
-    const auto first = static_cast<std::int32_t>(std::find_if(pair.points.begin(), pair.points.end(), at_corner) - pair.points.begin());
+    const auto first =
+        static_cast<std::int32_t>(std::find_if(pair.points.begin(), pair.points.end(), at_corner) - pair.points.begin());
     for (auto& t : pair.triangles) {
         for (auto& v : t) v = at_corner(pair.points[static_cast<std::size_t>(v)]) ? first : v;
     }
@@ -180,8 +179,8 @@ TEST_F(CheckSources, RejectsWhatIsNoPathOfEdges) {
 
 TEST_F(CheckSources, RejectsContacts) {
     expect_bad({line({10, 11, 10})}, ElementKind::edge, {11, 10});
-    expect_bad({line({10, 11, 12, 7, 6, 11})}, ElementKind::vertex, {11});               // ends on itself
-    expect_bad({line({5, 6, 7, 12, 11, 6, 1})}, ElementKind::vertex, {6});               // crosses itself
+    expect_bad({line({10, 11, 12, 7, 6, 11})}, ElementKind::vertex, {11});                      // ends on itself
+    expect_bad({line({5, 6, 7, 12, 11, 6, 1})}, ElementKind::vertex, {6});                      // crosses itself
     expect_bad({line({10, 11, 12, 13, 14}), line({2, 7, 12, 17})}, ElementKind::vertex, {12});  // cross
     expect_bad({line({10, 11, 12, 13, 14}), line({2, 7, 12})}, ElementKind::vertex, {12});      // one ends inside the other
     expect_bad({line({2, 7, 12}), line({10, 11, 12, 13, 14})}, ElementKind::vertex, {12});

@@ -56,7 +56,9 @@ class RandomOperators {
     Face face() { return pick<Face>(mesh_.face_slots()); }
     HalfEdge halfedge() { return pick<HalfEdge>(mesh_.halfedge_slots()); }
     bool is_side_triangle(HalfEdge h) const { return mesh_.is_boundary(h) || mesh_.is_triangle(mesh_.face(h)); }
-    Point middle(Edge e) const { return 0.5 * (mesh_.position(mesh_.from(M::halfedge(e))) + mesh_.position(mesh_.to(M::halfedge(e)))); }
+    Point middle(Edge e) const {
+        return 0.5 * (mesh_.position(mesh_.from(M::halfedge(e))) + mesh_.position(mesh_.to(M::halfedge(e))));
+    }
 
     const char* flip_any() {
         const Edge e = edge();
@@ -230,7 +232,8 @@ TEST(EulerOperators, CollapseKeepsTheFeatureLine) {
 /// The closed loop of half-edges through the nodes.
 std::vector<HalfEdge> loop_of(const SurfaceMesh& mesh, const std::vector<std::int32_t>& nodes) {
     std::vector<HalfEdge> loop;
-    for (std::size_t i = 0; i < nodes.size(); ++i) loop.push_back(mesh.find_halfedge(Vertex(nodes[i]), Vertex(nodes[(i + 1) % nodes.size()])));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        loop.push_back(mesh.find_halfedge(Vertex(nodes[i]), Vertex(nodes[(i + 1) % nodes.size()])));
     return loop;
 }
 

@@ -58,7 +58,8 @@ TEST(Validate, FindsAPositionThatIsNotFinite) {
 
 TEST(Validate, GivesAtMostTheLinesAskedFor) {
     SurfaceMesh mesh = shapes::grid(9, 9).mesh();
-    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) mesh.position(Vertex(i)).x() = std::numeric_limits<double>::quiet_NaN();
+    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i)
+        mesh.position(Vertex(i)).x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(validate(mesh, 5).size(), 5u);
 }
 

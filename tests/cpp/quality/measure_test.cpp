@@ -116,7 +116,8 @@ TEST(Measure, CountsFoldedQuadsAndQuadsThatAreTurnedOver) {
     EXPECT_GE(r.inverted, 1);
     bool whole = false;  // one of them has a good shape and lies upside down
     const MeshArrays arrays = to_arrays(turned);
-    for (const Face f : arrays.face_handles) whole |= scaled_jacobian(turned, f) > 0.99 && scaled_jacobian(turned, f, {0, 0, 1}) < 0.0;
+    for (const Face f : arrays.face_handles)
+        whole |= scaled_jacobian(turned, f) > 0.99 && scaled_jacobian(turned, f, {0, 0, 1}) < 0.0;
     EXPECT_TRUE(whole);
 }
 
