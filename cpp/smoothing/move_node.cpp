@@ -16,7 +16,7 @@ constexpr int kTries = 4;
 bool is_acceptable(const Star& star, const Star::Quality& before, const Point& p, double good_enough) {
     const double worst = star.quality(p).worst;
     if (worst > 0.0) return worst >= std::min(before.worst, good_enough);
-    return before.worst <= 0.0 && star.smallest_corner_area(p) > star.smallest_corner_area(star.centre());
+    return before.worst <= 0.0 && star.tangle(p) < star.tangle(star.centre());
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ Vector3d node_normal(const SurfaceMesh& mesh, Vertex v) {
 double worst_quality(const SurfaceMesh& mesh, Vertex v, const Vector3d& normal) {
     Star star;
     if (!star.gather(mesh, v)) return 0.0;
-    star.set_normal(normal);
+    star.see_along(normal);
     return star.quality(star.centre()).worst;
 }
 

@@ -7,10 +7,12 @@
 
 namespace anisoquad {
 
-/// Moves a node so that the worst element round it gets better: a pattern search in the tangent plane for the largest minimum
-/// scaled Jacobian (of inverted elements: the largest minimum of the signed corner areas first), after @cite freitag1997.
+/// Moves a node so that the worst element round it gets better: a pattern search on the surface for the largest minimum scaled
+/// Jacobian, after @cite freitag1997. Where an element is inverted the star is untangled first: the search is then for the
+/// least sum of squares of what the corners lack of a small positive area, which is convex in a plane.
+/// Nodes that move_node() must not move stay.
 /// @param hint as in move_node()
-/// @returns true if the node was moved; it may be moved only where move_node() may
+/// @returns true if the node was moved
 bool optimise_node(SurfaceMesh& mesh,
                    Vertex v,
                    const ReferenceSurface* reference = nullptr,

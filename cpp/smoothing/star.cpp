@@ -10,6 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Corner areas below this, over the squared mean edge length, count as (almost) inverted when a star is untangled.
+constexpr double kLeastCornerArea = 0.1;
+
 }  // namespace
 
 bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
@@ -31,8 +34,7 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
         w.opposite = mesh.position(mesh.to(after));
         w.previous = mesh.position(mesh.from(mesh.prev(h)));
         w.quad = mesh.next(after) != mesh.prev(h);
-        normal_ += w.quad ? (w.opposite - centre_).cross(w.previous - w.next).eval()
-                          : (w.next - centre_).cross(w.previous - centre_).eval();
+        normal_ += area_vector(w);
         patch_ = std::max(patch_, mesh.info(f).patch);
     }
     if (size_ == 0 || !(edge_length_ > 0.0)) return false;
@@ -41,26 +43,47 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     const double length = normal_.norm();
     if (!(length > 0.0)) return false;
     normal_ /= length;
+    see_along(normal_);
     return true;
 }
 
-double Star::quality(const Wedge& wedge, const Point& p) const {
+void Star::see_along(const Vector3d& normal) {
+    for (int i = 0; i < size_; ++i) wedges_[static_cast<std::size_t>(i)].up = normal;
+}
+
+void Star::use_face_normals() {
+    for (int i = 0; i < size_; ++i) {
+        Wedge& w = wedges_[static_cast<std::size_t>(i)];
+        w.up = area_vector(w).normalized();
+    }
+}
+
+/// Twice the area vector of the face with the node where it was.
+Vector3d Star::area_vector(const Wedge& w) const {
+    return w.quad ? (w.opposite - centre_).cross(w.previous - w.next).eval()
+                  : (w.next - centre_).cross(w.previous - centre_).eval();
+}
+
+double Star::quality(const Wedge& wedge, const Point& p, double& stretch) const {
     const Vector3d first = wedge.next - p;
     const Vector3d last = p - wedge.previous;
     if (!wedge.quad) {
         const Vector3d area = first.cross(wedge.previous - p);
         const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
         const double shape = 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum;
-        return area.dot(normal_) > 0.0 ? std::min(1.0, shape) : -std::min(1.0, shape);
+        return area.dot(wedge.up) > 0.0 ? std::min(1.0, shape) : -std::min(1.0, shape);
     }
     const std::array<Vector3d, 4> edge{first, wedge.opposite - wedge.next, wedge.previous - wedge.opposite, last};
     std::array<double, 4> length;
     for (std::size_t k = 0; k < 4; ++k) length[k] = edge[k].norm();
-    if (!(*std::min_element(length.begin(), length.end()) > 0.0)) return -1.0;
+    const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
+    if (!(*shortest > 0.0)) return -1.0;
+    stretch = std::log(*longest / *shortest);
+    stretch *= stretch;
     const Vector3d axes = (wedge.opposite - p).cross(wedge.previous - wedge.next);
     // A quad that is turned over is good by its own normal; seen along the surface's it is not.
-    const bool upright = axes.dot(normal_) > 0.0;
-    const Vector3d up = upright ? Vector3d(axes.normalized()) : normal_;
+    const bool upright = axes.dot(wedge.up) > 0.0;
+    const Vector3d up = upright ? Vector3d(axes.normalized()) : wedge.up;
     double worst = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t before = (k + 3) % 4;
@@ -70,27 +93,37 @@ double Star::quality(const Wedge& wedge, const Point& p) const {
 }
 
 Star::Quality Star::quality(const Point& p) const {
-    Quality result{1.0, 0.0};
+    Quality result{1.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < size_; ++i) {
-        const double q = quality(wedges_[static_cast<std::size_t>(i)], p);
+        double stretch = 0.0;
+        const double q = quality(wedges_[static_cast<std::size_t>(i)], p, stretch);
+        const double lack = std::max(0.0, kPoor - q);
         result.worst = std::min(result.worst, q);
         result.mean += q;
+        result.lack += lack * lack;
+        result.stretch += stretch;
     }
     result.mean /= size_;
+    result.lack /= size_;
+    result.stretch /= size_;
     return result;
 }
 
-double Star::smallest_corner_area(const Point& p) const {
-    double smallest = std::numeric_limits<double>::max();
+double Star::tangle(const Point& p) const {
+    const double least = kLeastCornerArea * edge_length_ * edge_length_;
+    double sum = 0.0;
+    const auto add = [&](double area) {
+        const double lack = std::max(0.0, least - area);
+        sum += lack * lack;
+    };
     for (int i = 0; i < size_; ++i) {
         const Wedge& w = wedges_[static_cast<std::size_t>(i)];
-        smallest = std::min(smallest, normal_.dot((w.next - p).cross(w.previous - p)));
+        add(w.up.dot((w.next - p).cross(w.previous - p)));
         if (!w.quad) continue;
-        smallest = std::min(smallest, normal_.dot((w.opposite - w.next).cross(p - w.next)));
-        smallest = std::min(smallest, normal_.dot((p - w.previous).cross(w.opposite - w.previous)));
-        smallest = std::min(smallest, normal_.dot((w.previous - w.opposite).cross(w.next - w.opposite)));
+        add(w.up.dot((w.opposite - w.next).cross(p - w.next)));
+        add(w.up.dot((p - w.previous).cross(w.opposite - w.previous)));
     }
-    return smallest / (edge_length_ * edge_length_);
+    return sum / (least * least);
 }
 
 }  // namespace anisoquad

@@ -12,6 +12,8 @@ namespace anisoquad {
 class Star {
   public:
     static constexpr int kCapacity = 32;
+    static constexpr double kPoor = 0.6;  ///< scaled Jacobian below which an element is poor
+    static constexpr double kStretchWeight = 0.05;
 
     /// @returns false if the node has no face or more than kCapacity of them
     bool gather(const SurfaceMesh& mesh, Vertex v);
@@ -21,29 +23,43 @@ class Star {
     const Point& centre() const { return centre_; }
     /// Unit sum of the faces' area vectors, see node_normal().
     const Eigen::Vector3d& normal() const { return normal_; }
-    void set_normal(const Eigen::Vector3d& normal) { normal_ = normal; }
     /// Mean length of the node's edges.
     double edge_length() const { return edge_length_; }
     std::int32_t patch() const { return patch_; }
 
+    /// Side from which the faces are seen: normal() unless set.
+    void see_along(const Eigen::Vector3d& normal);
+    /// Every face is seen from the side that it shows now (round a node on a sharp line).
+    void use_face_normals();
+
     struct Quality {
-        double worst = 1.0;
+        double worst = 1.0;    ///< of the faces' qualities (measures: see worst_quality())
         double mean = 1.0;
+        double lack = 0.0;     ///< mean square of what the faces lack of kPoor
+        double stretch = 0.0;  ///< mean square of ln(longest over shortest edge) of the quads
+
+        /// What a place of the node is worth in the final smoothing: mean quality, less what poor elements lack, less a
+        /// little for stretched ones, since the scaled Jacobian alone lets an edge shrink to nothing.
+        double score() const { return mean - lack - kStretchWeight * stretch; }
     };
-    /// Quality of the faces with the node at p, seen along normal() (measures: see worst_quality()).
+    /// Quality of the faces with the node at p.
     Quality quality(const Point& p) const;
-    /// Smallest corner area of the faces, signed along normal(), over the squared mean edge length: what tells a less inverted
-    /// star from a more inverted one.
-    double smallest_corner_area(const Point& p) const;
+    /// How much the star is folded: sum over the corners next to the node of the squares of what their signed area lacks of a
+    /// tenth of the squared mean edge length. 0 = not at all. Convex in a plane, since those areas are linear in p: its
+    /// smallest value untangles the star if anything does.
+    double tangle(const Point& p) const;
 
   private:
     struct Wedge {
         Point next;      ///< node after the centre
         Point opposite;  ///< quads only
         Point previous;
+        Eigen::Vector3d up;
         bool quad;
     };
-    double quality(const Wedge& wedge, const Point& p) const;
+    Eigen::Vector3d area_vector(const Wedge& wedge) const;
+    /// @param stretch receives the square of ln(longest over shortest edge), 0 for a triangle
+    double quality(const Wedge& wedge, const Point& p, double& stretch) const;
 
     std::array<Wedge, kCapacity> wedges_;
     int size_ = 0;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "smoothing/star.h"
+#include "surface/surface_fit.h"
+
+namespace anisoquad {
+
+/// Coordinates on the surface round a node, for searches: those of the fitted polynomial, or of the tangent plane where there
+/// is no fit. The node is at (0,0); coordinates are lengths.
+class Chart {
+  public:
+    Chart(const SurfaceMesh& mesh, Vertex v, const Star& star) : centre_(star.centre()) {
+        fitted_ = fit_surface(mesh, v, fit_);
+        first_ = star.normal().unitOrthogonal();
+        second_ = star.normal().cross(first_);
+    }
+    Point operator()(const Eigen::Vector2d& x) const {
+        if (!fitted_) return centre_ + x.x() * first_ + x.y() * second_;
+        const Eigen::Vector2d uv = fit_.clamped(x);
+        return fit_(uv.x(), uv.y());
+    }
+
+  private:
+    SurfaceFit fit_;
+    bool fitted_ = false;
+    Point centre_;
+    Eigen::Vector3d first_;
+    Eigen::Vector3d second_;
+};
+
+}  // namespace anisoquad

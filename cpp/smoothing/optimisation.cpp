@@ -1,0 +1,48 @@
+#include "smoothing/optimisation.h"
+
+#include <algorithm>
+
+#include "smoothing/chart.h"
+#include "smoothing/move_node.h"
+#include "smoothing/pattern_search.h"
+#include "smoothing/star.h"
+
+namespace anisoquad {
+namespace {
+
+constexpr double kFirstStep = 0.1;       ///< over the mean edge length
+constexpr double kSmallestStep = 1e-3;
+constexpr double kTieBreak = 1e-2;       ///< weight of the mean beside the worst
+constexpr double kLeastGain = 1e-6;
+
+/// The worst element, and below any of its values how much a star is folded that has an inverted one.
+double score(const Star& star, const Point& p) {
+    const Star::Quality q = star.quality(p);
+    if (q.worst > 0.0) return q.worst + kTieBreak * q.score();
+    return -1.0 - star.tangle(p);
+}
+
+}  // namespace
+
+bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t* hint) {
+    Star star;
+    if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
+    const Chart chart(mesh, v, star);
+    const double before = score(star, star.centre());
+    Eigen::Vector2d x = Eigen::Vector2d::Zero();
+    pattern_search([&](const Eigen::Vector2d& trial) { return score(star, chart(trial)); }, x,
+                   kFirstStep * star.edge_length(), kSmallestStep * star.edge_length());
+    std::int32_t facet = hint ? *hint : -1;
+    for (int i = 0; i < 3 && !x.isZero(0.0); ++i, x *= 0.5) {
+        Point p = chart(x);
+        if (reference) p = reference->project(p, star.patch(), facet);
+        if (!p.allFinite() || score(star, p) < before + kLeastGain) continue;
+        mesh.position(v) = p;
+        mesh.info(v).input = -1;
+        if (hint) *hint = facet;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace anisoquad

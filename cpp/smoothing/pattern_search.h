@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+namespace anisoquad {
+
+/// Looks for the largest score(x) near x: eight directions, the step halved (and the directions turned, so that the search does
+/// not stick to the ridge of a minimum of several measures) when none is better. Deterministic.
+/// @param score callable, Eigen::Vector2d → double
+/// @returns the best score; x is where it was found
+template <class Score>
+double pattern_search(const Score& score, Eigen::Vector2d& x, double step, double smallest_step) {
+    static const std::array<Eigen::Vector2d, 16> kDirections = [] {
+        std::array<Eigen::Vector2d, 16> d;
+        for (std::size_t i = 0; i < 16; ++i) {
+            const double angle = 0.39269908169872414 * static_cast<double>(i);  // π/8
+            d[i] = {std::cos(angle), std::sin(angle)};
+        }
+        return d;
+    }();
+    double best = score(x);
+    for (std::size_t turn = 0; step >= smallest_step; turn ^= 1) {
+        Eigen::Vector2d found = x;
+        for (std::size_t i = turn; i < 16; i += 2) {
+            const Eigen::Vector2d trial = x + step * kDirections[i];
+            const double s = score(trial);
+            if (s > best) {
+                best = s;
+                found = trial;
+            }
+        }
+        if (found == x) step *= 0.5;
+        x = found;
+    }
+    return best;
+}
+
+}  // namespace anisoquad
