@@ -36,10 +36,10 @@ class Measurer {
   public:
     Measurer(const SurfaceMesh& mesh, std::span<const Point> points, Triangles triangles, Report& report)
         : mesh_(mesh),
-          points_(points),
           triangles_(triangles),
           report_(report),
           arrays_(to_arrays(mesh)),
+          input_(from_arrays(points, triangles)),
           reference_(points, triangles) {
         for (std::size_t i = 0; i < arrays_.faces.size(); ++i) {
             if (arrays_.faces[i][3] >= 0) quads_.push_back(i);
@@ -71,7 +71,7 @@ class Measurer {
         const Topology topology_out = topology(mesh_);
         report_.components = topology_out.components;
         report_.euler_out = topology_out.euler_characteristic;
-        report_.euler_in = topology(from_arrays(points_, triangles_)).euler_characteristic;
+        report_.euler_in = topology(input_).euler_characteristic;
     }
 
     /// @param measure (mesh, face) → value
@@ -250,21 +250,22 @@ class Measurer {
 
     void measure_distance() {
         std::vector<std::array<std::int32_t, 3>> halves;
+        halves.reserve(2 * arrays_.faces.size());
         for (const auto& f : arrays_.faces) {
             halves.push_back({f[0], f[1], f[2]});
             if (f[3] >= 0) halves.push_back({f[0], f[2], f[3]});
         }
-        const double out = distance_to(reference_, arrays_.points, halves);
-        const double back = distance_to(ReferenceSurface(arrays_.points, halves), points_, triangles_);
+        const double out = distance_to(reference_, mesh_);
+        const double back = distance_to(ReferenceSurface(arrays_.points, halves), input_);
         report_.hausdorff = std::max(out, back);
         report_.hausdorff_relative = report_.hausdorff / reference_.diagonal();
     }
 
     const SurfaceMesh& mesh_;
-    std::span<const Point> points_;
     Triangles triangles_;
     Report& report_;
     MeshArrays arrays_;
+    SurfaceMesh input_;
     ReferenceSurface reference_;
     std::vector<std::size_t> quads_;  ///< places in arrays_.faces
     std::vector<double> values_;
