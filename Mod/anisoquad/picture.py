@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 _SAMPLES = 2  # rendered this many times larger in each direction, and averaged
-_LINE = 0.9  # half the width of a mesh edge, in samples
+_LINE = 1.1  # half the width of a mesh edge, in samples
 _EDGE_COLOUR = np.array([0.10, 0.12, 0.18])
 _SURFACE_COLOUR = np.array([0.86, 0.88, 0.92])
 _PASS_COLOURS = np.array([[0.91, 0.35, 0.25], [0.96, 0.68, 0.22], [0.48, 0.74, 0.35], [0.25, 0.62, 0.80], [0.58, 0.44, 0.78]])

@@ -5,6 +5,7 @@ Leaves wing.FCStd, wing.inp, wing.vtu, report.json and wing.png in build/demo.
 """
 
 import json
+import shutil
 import sys
 import traceback
 from pathlib import Path
@@ -22,7 +23,8 @@ def run():
     from anisoquad.picture import save_png
     from anisoquad.summary import quality_table
 
-    OUT.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(OUT, ignore_errors=True)
+    OUT.mkdir(parents=True)
     doc = FreeCAD.newDocument("wing")
     wing = doc.addObject("Mesh::Feature", "Wing")
     wing.Mesh = Mesh.Mesh(str(ROOT / "tests" / "data" / "wing_delta.off"))
@@ -56,7 +58,7 @@ def two_views(mesh, wing, leading_edge):
     along = points[1] - points[0]
     forward = np.cross(above, along) / np.linalg.norm(np.cross(above, along))
     whole = render(mesh.points, mesh.quads, colours, above, (-1, 0, 0), list(box.Center), 1.08 * box.YLength, (1600, 2050))
-    width = 0.2 * np.linalg.norm(along)
+    width = 0.45 * np.linalg.norm(along)
     middle = points.mean(axis=0) - 0.28 * width * forward
     close = render(mesh.points, mesh.quads, colours, above, forward, middle, width, (1600, 1000))
     return np.concatenate([whole, np.full((12, 1600, 3), 255, np.uint8), close])

@@ -25,7 +25,8 @@ def main(folder="build/figures", name="wing_delta"):
     mesh = anisoquad.quad_mesh(points, triangles, [source], anisoquad.Options(record_stages=True))
     start, end = points[line[0]], points[line[-1]]
     pictures = []
-    for number, (title, stage_points, faces, row) in enumerate(mesh.stages):
+    stages = [stage for stage in mesh.stages if stage[0].startswith("pass") or stage[0] == "result"]
+    for number, (title, stage_points, faces, row) in enumerate(stages):
         colours = row_colours(row, np.ones_like(row))
         picture = close_up(stage_points, faces, colours, start, end)
         pictures.append(picture)
@@ -43,7 +44,7 @@ def close_up(points, faces, colours, start, end):
     """The middle of the leading edge, seen from above, the edge at the top."""
     along = end - start
     forward = np.cross(ABOVE, along) / np.linalg.norm(np.cross(ABOVE, along))
-    width = 0.22 * np.linalg.norm(along)
+    width = 0.4 * np.linalg.norm(along)
     return render(points, faces, colours, ABOVE, forward, (start + end) / 2 - 0.28 * width * forward, width, SIZE)
 
 
