@@ -27,7 +27,8 @@ bool angle_target(const SurfaceMesh& mesh, Vertex v, Point& target) {
         const double opening = to_right - to_left;
         if (!(length > 0.0) || !(opening > 0.0)) continue;
         const double turn = 0.5 * (to_right + to_left);
-        const Eigen::Vector3d turned = std::cos(turn) * edge + std::sin(turn) * normal.cross(edge) - (std::cos(turn) - 1.0) * normal.dot(edge) * normal;
+        const Eigen::Vector3d turned =
+            std::cos(turn) * edge + std::sin(turn) * normal.cross(edge) - (std::cos(turn) - 1.0) * normal.dot(edge) * normal;
         const double weight = 1.0 / (opening * opening);
         sum += weight * (turned - edge);
         weights += weight;

@@ -8,11 +8,12 @@
 namespace anisoquad {
 
 /// Coordinates on the surface round a node, for searches: those of the fitted polynomial, or of the tangent plane where there
-/// is no fit. The node is at (0,0); coordinates are lengths.
+/// is no fit or the star is folded, so that its exponential map is no map of the surface. The node is at (0,0); coordinates are
+/// lengths.
 class Chart {
   public:
     Chart(const SurfaceMesh& mesh, Vertex v, const Star& star) : centre_(star.centre()) {
-        fitted_ = fit_surface(mesh, v, fit_);
+        fitted_ = star.quality(star.centre()).worst > 0.0 && fit_surface(mesh, v, fit_);
         first_ = star.normal().unitOrthogonal();
         second_ = star.normal().cross(first_);
     }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kFirstStep = 0.1;  ///< of the search for a node's place, over the mean edge length
 constexpr double kSmallestStep = 0.02;
-constexpr double kAtRest = 5e-3;      ///< moves below this, over the edge length, wake no neighbour
-constexpr double kLeastGain = 1e-4;   ///< of the mean or the smallest scaled Jacobian, for another sweep
+constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
+constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
 
 struct Statistics {
@@ -72,10 +72,12 @@ class FinalSmoother {
     static std::size_t index(Vertex v) { return static_cast<std::size_t>(v.index()); }
 
     bool visit(Vertex v) {
-        if (!is_movable(mesh_, v)) return slide_on_line(mesh_, v);
+        if (mesh_.info(v).kind != NodeKind::interior) return slide_on_line(mesh_, v);
         Star star;
         if (!star.gather(mesh_, v)) return false;
         const double worst = star.quality(star.centre()).worst;
+        if (mesh_.info(v).in_row) return worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
+        if (!is_movable(mesh_, v)) return false;
         // An untangled star first; then the mean; then the worst, where the mean alone leaves a poor element.
         if (worst <= 0.0) return optimise_node(mesh_, v, &reference_, &hint_[index(v)]);
         const bool moved = relax(v, star);
@@ -120,6 +122,17 @@ class FinalSmoother {
     std::vector<std::int32_t> awake_;  ///< last sweep in which something near the node moved
 };
 
+/// Nodes that were held for rows which then were given back are nodes like others.
+void release_nodes_without_rows(SurfaceMesh& mesh) {
+    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        const Vertex v(i);
+        if (mesh.is_deleted(v) || !mesh.info(v).in_row || mesh.info(v).kind != NodeKind::interior) continue;
+        bool in_row = false;
+        for (HalfEdge h : mesh.outgoing(v)) in_row = in_row || (!mesh.is_boundary(h) && mesh.info(mesh.face(h)).row > 0);
+        mesh.info(v).in_row = in_row;
+    }
+}
+
 }  // namespace
 
 FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options, Context& context) {
@@ -127,6 +140,7 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
     Statistics last = statistics(mesh);
     result.min_before = last.min;
     result.mean_before = last.mean;
+    release_nodes_without_rows(mesh);
     if (options.smoothing_passes > 0) result.moves += smooth_rows(mesh, &reference).moved;
 
     FinalSmoother smoother(mesh, reference);
@@ -135,7 +149,8 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
         const int moves = smoother.sweep(++result.sweeps);
         result.moves += moves;
         const Statistics now = statistics(mesh);
-        const bool at_rest = now.min < last.min + kLeastGain && now.mean < last.mean + kLeastGain && now.inverted >= last.inverted;
+        const bool at_rest =
+            now.min < last.min + kLeastGain && now.mean < last.mean + kLeastGain && now.inverted >= last.inverted;
         last = now;
         if (moves == 0 || at_rest) break;
     }

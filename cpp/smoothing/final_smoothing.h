@@ -10,7 +10,7 @@ namespace anisoquad {
 struct FinalSmoothingResult {
     int sweeps = 0;
     int moves = 0;
-    double min_before = 1.0;   ///< smallest scaled Jacobian
+    double min_before = 1.0;  ///< smallest scaled Jacobian
     double mean_before = 1.0;
     double min_after = 1.0;
     double mean_after = 1.0;
@@ -22,9 +22,7 @@ struct FinalSmoothingResult {
 /// most Options::smoothing_passes sweeps. Only nodes round which something moved are visited again. Nodes are brought back to
 /// their patch of the reference surface. Nodes on straight feature lines slide along them (slide_on_line()); corners stay.
 /// Triangles that are left are tolerated.
-FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh,
-                                 const ReferenceSurface& reference,
-                                 const Options& options = {},
+FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options = {},
                                  Context& context = no_context());
 
 }  // namespace anisoquad

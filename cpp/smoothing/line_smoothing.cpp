@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStraight = 1e-6;
-constexpr double kMargin = 0.2;       ///< least part of the way between the neighbours that is left on either side
+constexpr double kMargin = 0.2;  ///< least part of the way between the neighbours that is left on either side
 constexpr double kFirstStep = 0.1;
 constexpr double kSmallestStep = 1e-3;
 constexpr double kLeastGain = 1e-6;

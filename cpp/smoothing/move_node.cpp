@@ -42,9 +42,10 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
                double good_enough) {
     Star star;
     if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
-    SurfaceFit fit;
-    const bool fitted = fit_surface(mesh, v, fit);
     const Star::Quality before = star.quality(star.centre());
+    // The exponential map of a folded ring is no map of the surface.
+    SurfaceFit fit;
+    const bool fitted = before.worst > 0.0 && fit_surface(mesh, v, fit);
     Vector3d step = target - star.centre();
     std::int32_t facet = hint ? *hint : -1;
     for (int i = 0; i <= kTries; ++i, step *= 0.5) {

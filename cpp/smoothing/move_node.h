@@ -15,12 +15,8 @@ namespace anisoquad {
 /// @param hint facet of the reference surface near the node, kept up to date; may be null
 /// @param good_enough scaled Jacobian; elements above it may get worse. 1: the worst element never gets worse
 /// @returns true if the node was moved
-bool move_node(SurfaceMesh& mesh,
-               Vertex v,
-               const Point& target,
-               const ReferenceSurface* reference = nullptr,
-               std::int32_t* hint = nullptr,
-               double good_enough = 0.5);
+bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const ReferenceSurface* reference = nullptr,
+               std::int32_t* hint = nullptr, double good_enough = 0.5);
 
 /// True for the nodes that move_node() may move.
 bool is_movable(const SurfaceMesh& mesh, Vertex v);

@@ -10,9 +10,9 @@
 namespace anisoquad {
 namespace {
 
-constexpr double kFirstStep = 0.1;       ///< over the mean edge length
+constexpr double kFirstStep = 0.1;  ///< over the mean edge length
 constexpr double kSmallestStep = 1e-3;
-constexpr double kTieBreak = 1e-2;       ///< weight of the mean beside the worst
+constexpr double kTieBreak = 1e-2;  ///< weight of the mean beside the worst
 constexpr double kLeastGain = 1e-6;
 
 /// The worst element, and below any of its values how much a star is folded that has an inverted one.
@@ -30,8 +30,8 @@ bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* referenc
     const Chart chart(mesh, v, star);
     const double before = score(star, star.centre());
     Eigen::Vector2d x = Eigen::Vector2d::Zero();
-    pattern_search([&](const Eigen::Vector2d& trial) { return score(star, chart(trial)); }, x,
-                   kFirstStep * star.edge_length(), kSmallestStep * star.edge_length());
+    pattern_search([&](const Eigen::Vector2d& trial) { return score(star, chart(trial)); }, x, kFirstStep * star.edge_length(),
+                   kSmallestStep * star.edge_length());
     std::int32_t facet = hint ? *hint : -1;
     for (int i = 0; i < 3 && !x.isZero(0.0); ++i, x *= 0.5) {
         Point p = chart(x);

@@ -13,9 +13,6 @@ namespace anisoquad {
 /// Nodes that move_node() must not move stay.
 /// @param hint as in move_node()
 /// @returns true if the node was moved
-bool optimise_node(SurfaceMesh& mesh,
-                   Vertex v,
-                   const ReferenceSurface* reference = nullptr,
-                   std::int32_t* hint = nullptr);
+bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference = nullptr, std::int32_t* hint = nullptr);
 
 }  // namespace anisoquad

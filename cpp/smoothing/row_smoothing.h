@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "mesh/surface_mesh.h"
 #include "surface/reference_surface.h"
 
@@ -10,10 +12,15 @@ struct RowSmoothingResult {
     int moved = 0;  ///< moves that were kept
 };
 
-/// Smoothing for anisotropic quads (the future work of @cite merhof2007): the nodes of the rows move along and across their
-/// row so that columns run smoothly and at right angles to the rows, while row heights, and with them aspect ratios, are kept.
-/// Nodes of sources and feature lines stay.
-/// @param reference surface to which nodes are brought back; may be null
+/// Smoothing for anisotropic quads (the future work of @cite merhof2007). Nodes of the rows slide along their row to where the
+/// edges to the nodes below and above stand at right angles to it. A slide along the row keeps the rows' heights, and with them
+/// the aspect ratios; a smoother that evens edge lengths would undo both. Nodes of sources, feature lines and the boundary stay.
+/// A slide that makes a poor element round the node poorer is shortened, then refused.
+/// @param reference surface to which nodes are brought back; null: they stay on the fitted one-ring
 RowSmoothingResult smooth_rows(SurfaceMesh& mesh, const ReferenceSurface* reference, int sweeps = 5);
+
+/// Slides one node of a row along it to where the worst element round it is best, at most a tenth of the way to its neighbours
+/// in the row: for poor elements on top of the rows. @param hint as in move_node() @returns true if the node was moved
+bool slide_in_row(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t* hint = nullptr);
 
 }  // namespace anisoquad

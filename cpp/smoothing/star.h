@@ -33,7 +33,7 @@ class Star {
     void use_face_normals();
 
     struct Quality {
-        double worst = 1.0;    ///< of the faces' qualities (measures: see worst_quality())
+        double worst = 1.0;  ///< of the faces' qualities (measures: see worst_quality())
         double mean = 1.0;
         double lack = 0.0;     ///< mean square of what the faces lack of kPoor
         double stretch = 0.0;  ///< mean square of ln(longest over shortest edge) of the quads

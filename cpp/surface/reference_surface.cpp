@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::int32_t kLeafSize = 4;
-constexpr int kStackSize = 96;           ///< median splits halve: the depth is below 40
-constexpr int kWalkLimit = 64;           ///< facets; only a bound for the search, so stopping early is harmless
+constexpr int kStackSize = 96;  ///< median splits halve: the depth is below 40
+constexpr int kWalkLimit = 64;  ///< facets; only a bound for the search, so stopping early is harmless
 constexpr double kRounding = 1.0 + 1e-12;
-constexpr double kLiftOfHeight = 0.1;    ///< limits of the lift off a facet
+constexpr double kLiftOfHeight = 0.1;  ///< limits of the lift off a facet
 constexpr double kLiftOfDiagonal = 5e-4;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -62,11 +62,11 @@ Vector3d closest_weights(const Point& p, const Point& a, const Point& b, const P
 
 }  // namespace
 
-ReferenceSurface::ReferenceSurface(std::span<const Point> points,
-                                   std::span<const std::array<std::int32_t, 3>> triangles,
-                                   std::span<const std::int32_t> facet_patch,
-                                   double crease_angle)
-    : points_(points.begin(), points.end()), facets_(triangles.begin(), triangles.end()), patch_(facet_patch.begin(), facet_patch.end()) {
+ReferenceSurface::ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+                                   std::span<const std::int32_t> facet_patch, double crease_angle)
+    : points_(points.begin(), points.end()),
+      facets_(triangles.begin(), triangles.end()),
+      patch_(facet_patch.begin(), facet_patch.end()) {
     patch_.resize(facets_.size(), 0);
     Eigen::AlignedBox3d box;
     for (const auto& t : facets_) {
@@ -207,7 +207,8 @@ void ReferenceSurface::try_facet(const Point& p, std::int32_t facet, std::int32_
     const Vector3d weights = closest_weights(p, pa, points_[at(b)], points_[at(c)]);
     const Point position = pa + weights[1] * (points_[at(b)] - pa) + weights[2] * (points_[at(c)] - pa);
     const double distance2 = (position - p).squaredNorm();
-    if (distance2 < best.distance2 || (distance2 == best.distance2 && facet < best.facet)) best = {distance2, facet, position, weights};
+    if (distance2 < best.distance2 || (distance2 == best.distance2 && facet < best.facet))
+        best = {distance2, facet, position, weights};
 }
 
 /// Downhill over the facets' neighbours: gives the search a bound that is mostly the result already.

@@ -30,10 +30,8 @@ class ReferenceSurface {
     /// @param facet_patch patch of each facet; empty: all are patch 0
     /// @param crease_angle degrees; a corner's normal is the mean over the facets that are reached from its facet round the
     ///        vertex without crossing an edge between patches or one where the facets turn by more than this
-    ReferenceSurface(std::span<const Point> points,
-                     std::span<const std::array<std::int32_t, 3>> triangles,
-                     std::span<const std::int32_t> facet_patch = {},
-                     double crease_angle = 40.0);
+    ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+                     std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0);
 
     SurfacePoint closest(const Point& p, std::int32_t patch = kAnyPatch) const;
     /// The same, faster when `hint` is a facet near p (-1: none): a walk over neighbours bounds the search.

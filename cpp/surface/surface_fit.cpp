@@ -172,7 +172,8 @@ int gather_ring(const SurfaceMesh& mesh, Vertex v, std::span<Point> ring) {
 bool fit_surface(const SurfaceMesh& mesh, Vertex v, SurfaceFit& fit) {
     std::array<Point, SurfaceFit::kCapacity> ring;
     const int n = gather_ring(mesh, v, ring);
-    return fit_surface(mesh.position(v), std::span<const Point>(ring.data(), static_cast<std::size_t>(n)), !mesh.is_boundary(v), fit);
+    return fit_surface(mesh.position(v), std::span<const Point>(ring.data(), static_cast<std::size_t>(n)), !mesh.is_boundary(v),
+                       fit);
 }
 
 Point point_at_target(const SurfaceFit& fit, const Point& target) {

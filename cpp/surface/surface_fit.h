@@ -47,8 +47,8 @@ class SurfaceFit {
 
     Point centre_ = Point::Zero();
     double scale_ = 1.0;
-    double extent_ = 0.0;                                               ///< largest whitened distance of a ring node
-    Eigen::Matrix2d whitening_ = Eigen::Matrix2d::Identity();           ///< (s,t) = whitening · (u,v)
+    double extent_ = 0.0;                                      ///< largest whitened distance of a ring node
+    Eigen::Matrix2d whitening_ = Eigen::Matrix2d::Identity();  ///< (s,t) = whitening · (u,v)
     Eigen::Matrix<double, 5, 3> coefficients_ = Eigen::Matrix<double, 5, 3>::Zero();  ///< by s, t, s²/2, st, t²/2; over scale
     std::array<Eigen::Vector2d, kCapacity> ring_;
     int size_ = 0;

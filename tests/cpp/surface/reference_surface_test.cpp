@@ -70,7 +70,8 @@ TEST(ReferenceSurface, AgreesWithBruteForce) {
             for (std::size_t f = 0; f < s.triangles.size(); ++f) {
                 if (patch >= 0 && s.patch[f] != patch) continue;
                 const auto& t = s.triangles[f];
-                best = std::min(best, distance_to_triangle(p, s.points[std::size_t(t[0])], s.points[std::size_t(t[1])], s.points[std::size_t(t[2])]));
+                best = std::min(best, distance_to_triangle(p, s.points[std::size_t(t[0])], s.points[std::size_t(t[1])],
+                                                           s.points[std::size_t(t[2])]));
             }
             const SurfacePoint found = reference.closest(p, patch);
             EXPECT_NEAR(found.distance, best, 1e-12);
@@ -100,7 +101,8 @@ TEST(ReferenceSurface, HintsDontChangeTheResult) {
 }
 
 TEST(ReferenceSurface, EquallyCloseFacetsGiveTheLowestIndex) {
-    const Surface s = grid(8, [](double x, double y) { return Point(x, y, 0); }, [](int) { return 0; });
+    const Surface s = grid(
+        8, [](double x, double y) { return Point(x, y, 0); }, [](int) { return 0; });
     const ReferenceSurface reference(s.points, s.triangles, s.patch);
     EXPECT_EQ(reference.closest(Point(0.5, 0.5, 0.0)).facet, [&] {
         for (std::int32_t f = 0;; ++f) {
@@ -123,7 +125,8 @@ TEST(ReferenceSurface, EmptySurfaceAndMissingPatchGiveNoFacet) {
 
 TEST(ReferenceSurface, NormalsAreSplitAtFeatures) {
     // A roof: two planes at right angles meet in x = 0.5.
-    const Surface s = grid(4, [](double x, double y) { return Point(x, y, x < 0.5 ? x : 1.0 - x); }, [](int i) { return i / 2; });
+    const Surface s = grid(
+        4, [](double x, double y) { return Point(x, y, x < 0.5 ? x : 1.0 - x); }, [](int i) { return i / 2; });
     const std::vector<std::int32_t> one(s.triangles.size(), 0);
     for (const auto& patch : {s.patch, one}) {  // by the patches, and by the crease alone
         const ReferenceSurface reference(s.points, s.triangles, patch, 40.0);

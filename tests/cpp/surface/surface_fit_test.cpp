@@ -59,7 +59,8 @@ std::pair<double, double> curvatures(const SurfaceFit& fit) {
     const Vector3d v = fit.derivative_v(0, 0);
     const Vector3d n = fit.normal(0, 0);
     const double e = u.dot(u), f = u.dot(v), g = v.dot(v);
-    const double l = n.dot(fit.second_derivative_uu()), m = n.dot(fit.second_derivative_uv()), k = n.dot(fit.second_derivative_vv());
+    const double l = n.dot(fit.second_derivative_uu()), m = n.dot(fit.second_derivative_uv()),
+                 k = n.dot(fit.second_derivative_vv());
     const double determinant = e * g - f * f;
     return {(l * k - m * m) / determinant, 0.5 * (e * k - 2.0 * f * m + g * l) / determinant};
 }
