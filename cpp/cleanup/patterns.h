@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "cleanup/region.h"
+#include "cleanup/sectors.h"
+
+/// The classical local patterns (@cite canann1998topological, @cite kinney1997cleanup, @cite anderson2009cleanup): each function adds what
+/// can be done round one node that lowers the irregularity by its own count of edges; Trial decides.
+namespace anisoquad {
+
+struct Proposal {
+    std::vector<Face> faces;
+    Replacement replacement;
+    int gain = 0;  ///< filled in by the caller
+};
+
+/// A node with two edges: its two quads become one.
+void propose_doublet(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
+
+/// The quads round v with one of them collapsed: v is merged into the opposite node of that quad.
+void propose_face_collapse(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
+
+/// The edges at v and opposite v in its quads: each is turned either way in the hexagon of its two quads.
+void propose_edge_rotation(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
+
+/// Opens v along two of its edges: v becomes two nodes and a new quad lies between (the inverse of the collapse).
+void propose_vertex_split(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
+
+}  // namespace anisoquad

@@ -1,0 +1,83 @@
+#include "cleanup/sectors.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+using std::numbers::pi;
+
+/// Corner of face(h) at from(h), −π/4…7π/4: slightly folded corners are negative, reflex ones above π.
+double corner_angle(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& normal) {
+    const Point& p = mesh.position(mesh.from(h));
+    const Eigen::Vector3d first = mesh.position(mesh.to(h)) - p;
+    const Eigen::Vector3d last = mesh.position(mesh.from(mesh.prev(h))) - p;
+    const double angle = std::atan2(normal.dot(first.cross(last)), first.dot(last));
+    return angle < -0.25 * pi ? angle + 2.0 * pi : angle;
+}
+
+Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const ReferenceSurface& reference) {
+    Point centre = Point::Zero();
+    int nodes = 0;
+    for (const HalfEdge h : mesh.halfedges(f)) {
+        centre += mesh.position(mesh.from(h));
+        ++nodes;
+    }
+    return reference.closest(centre / nodes, mesh.info(f).patch).normal;
+}
+
+}  // namespace
+
+Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
+    : ideal_(static_cast<std::size_t>(mesh.halfedge_slots()), 0) {
+    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+        const HalfEdge start(i);
+        if (mesh.is_deleted(start) || mesh.is_boundary(start) || mesh.info(mesh.face(start)).row > 0) continue;
+        if (!is_fixed(mesh, M::edge(start))) continue;
+        double angle = 0.0;
+        HalfEdge h = start;
+        do {
+            angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), reference));
+            h = mesh.rotated_ccw(h);
+        } while (!is_fixed(mesh, M::edge(h)));
+        ideal_[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::clamp(std::lround(angle / (0.5 * pi)), 1L, 8L));
+    }
+}
+
+Sectors::Count Sectors::count(const SurfaceMesh& mesh, HalfEdge h) const {
+    Count result;
+    HalfEdge start = h;
+    while (!is_fixed(mesh, M::edge(start))) {
+        start = mesh.rotated_cw(start);
+        ++result.quads;
+        if (start == h) return result;
+    }
+    result.ideal = ideal_[static_cast<std::size_t>(start.index())];
+    result.quads = 0;
+    h = start;
+    do {
+        ++result.quads;
+        h = mesh.rotated_ccw(h);
+    } while (!is_fixed(mesh, M::edge(h)));
+    return result;
+}
+
+int Sectors::cost(const SurfaceMesh& mesh, Vertex v) const {
+    int sum = 0;
+    bool fixed = false;
+    HalfEdge any;
+    for (const HalfEdge h : mesh.outgoing(v)) {
+        const bool outside = mesh.is_boundary(h) || mesh.info(mesh.face(h)).row > 0;
+        if (!outside) any = h;
+        if (!is_fixed(mesh, M::edge(h))) continue;
+        fixed = true;
+        if (!outside) sum += count(mesh, h).cost();
+    }
+    return fixed || !any.is_valid() ? sum : count(mesh, any).cost();
+}
+
+}  // namespace anisoquad

@@ -1,0 +1,124 @@
+#include "cleanup/trial.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "quality/metrics.h"
+#include "smoothing/laplacian.h"
+#include "smoothing/move_node.h"
+#include "smoothing/optimisation.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+
+constexpr int kMeanSweeps = 4;          ///< plain averaging of the new nodes, which untangles convex outlines
+constexpr int kSweeps = 3;              ///< guarded
+constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node's place is optimised
+constexpr double kLongestAspect = 3.5;  ///< stretched quads pass if there were such before
+
+}  // namespace
+
+Trial::Trial(SurfaceMesh& mesh, const ReferenceSurface& reference)
+    : mesh_(mesh), reference_(reference), sectors_(mesh, reference), editor_(mesh) {}
+
+int Trial::gain(const Region& region, const Replacement& replacement) const {
+    const auto uses = [&](Vertex v) {
+        int n = 0;
+        for (const auto& quad : replacement.quads) n += static_cast<int>(std::count(quad.begin(), quad.end(), v));
+        return n;
+    };
+    int gain = 0;
+    for (const Vertex v : region.inner) gain += irregularity(mesh_.valence(v), 4);
+    for (std::size_t k = 0; k < replacement.nodes.size(); ++k) gain -= irregularity(uses(Replacement::new_node(k)), 4);
+    const std::size_t n = region.loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const HalfEdge h = region.loop[i];
+        const HalfEdge last = M::twin(region.loop[(i + n - 1) % n]);
+        int inside = 1;
+        for (HalfEdge k = mesh_.rotated_ccw(h); k != last; k = mesh_.rotated_ccw(k)) ++inside;
+        Sectors::Count count = sectors_.count(mesh_, h);
+        gain += count.cost();
+        count.quads += uses(mesh_.from(h)) - inside;
+        gain -= count.cost();
+    }
+    return gain;
+}
+
+double Trial::scaled_jacobian_on_surface(Face f) const {
+    std::array<Point, 4> p;
+    std::size_t k = 0;
+    for (const HalfEdge h : mesh_.halfedges(f)) p[k++] = mesh_.position(mesh_.from(h));
+    const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
+    const SurfacePoint at = reference_.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), mesh_.info(f).patch);
+    return (p[2] - p[0]).cross(p[3] - p[1]).dot(at.normal) > 0.0 ? q : -std::abs(q);
+}
+
+Trial::Quality Trial::quality(std::span<const Face> faces) const {
+    Quality result;
+    for (const Face f : faces) {
+        result.worst = std::min(result.worst, scaled_jacobian_on_surface(f));
+        result.aspect = std::max(result.aspect, aspect_ratio(mesh_, f));
+    }
+    return result;
+}
+
+void Trial::gather_neighbourhood(const Region& region, std::vector<Face>& faces) {
+    marks_.clear(mesh_.face_slots());
+    faces = region.faces;
+    for (const Face f : faces) marks_.mark(f);
+    for (const HalfEdge h : region.loop) {
+        for (const HalfEdge k : mesh_.outgoing(mesh_.from(h))) {
+            const Face f = mesh_.face(k);
+            if (f.is_valid() && mesh_.is_quad(f) && mesh_.info(f).row == 0 && marks_.mark(f)) faces.push_back(f);
+        }
+    }
+}
+
+void Trial::smooth(const Region& region) {
+    Point target;
+    std::int32_t hint = -1;
+    for (int i = 0; i < kMeanSweeps; ++i) {
+        for (const Vertex v : region.inner) {
+            if (!laplacian_target(mesh_, v, target)) continue;
+            hint = -1;
+            mesh_.position(v) = reference_.project(target, mesh_.info(region.faces[0]).patch, hint);
+        }
+    }
+    const auto improve = [&](Vertex v) {
+        if (!is_movable(mesh_, v)) return;
+        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, &reference_, nullptr, kPoor);
+        if (worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor) optimise_node(mesh_, v, &reference_);
+    };
+    for (int i = 0; i < kSweeps; ++i) {
+        for (const Vertex v : region.inner) improve(v);
+        for (const HalfEdge h : region.loop) improve(mesh_.from(h));
+    }
+}
+
+bool Trial::attempt(Region& region, const Replacement& replacement, int least_gain, double bound) {
+    if (!editor_.find_outline(region) || !editor_.is_possible(region, replacement)) return false;
+    if (gain(region, replacement) < least_gain) return false;
+    gather_neighbourhood(region, faces_);
+    const Quality before = quality(faces_);
+    const Replacement back = editor_.current(region);
+    places_.clear();
+    for (const HalfEdge h : region.loop) {
+        const Vertex v = mesh_.from(h);
+        places_.push_back({v, {mesh_.position(v), mesh_.info(v)}});
+    }
+    editor_.replace(region, replacement);
+    smooth(region);
+    gather_neighbourhood(region, faces_);
+    const Quality after = quality(faces_);
+    if (after.worst >= std::min(before.worst, bound) && after.aspect <= std::max(before.aspect, kLongestAspect)) return true;
+    for (const auto& [v, node] : places_) {
+        mesh_.position(v) = node.place;
+        mesh_.info(v) = node.info;
+    }
+    editor_.replace(region, back);
+    return false;
+}
+
+}  // namespace anisoquad
