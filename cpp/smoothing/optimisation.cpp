@@ -1,6 +1,7 @@
 #include "smoothing/optimisation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "smoothing/chart.h"
 #include "smoothing/move_node.h"
@@ -12,14 +13,15 @@ namespace {
 
 constexpr double kFirstStep = 0.1;  ///< over the mean edge length
 constexpr double kSmallestStep = 1e-3;
-constexpr double kTieBreak = 1e-2;  ///< weight of the mean beside the worst
+constexpr double kMeanWeight = 1e-2;   ///< of the mean beside the worst
+constexpr double kLargestRatio = 6.0;  ///< of a quad's edges; an edge that shrinks to nothing could better the worst angle
 constexpr double kLeastGain = 1e-6;
 
 /// The worst element, and below any of its values how much a star is folded that has an inverted one.
 double score(const Star& star, const Point& p) {
     const Star::Quality q = star.quality(p);
-    if (q.worst > 0.0) return q.worst + kTieBreak * q.score();
-    return -1.0 - star.tangle(p);
+    if (q.worst <= 0.0) return -star.tangle(p);
+    return std::sqrt(std::min(1.0, kLargestRatio / q.ratio)) * (q.worst + kMeanWeight * q.mean);
 }
 
 }  // namespace

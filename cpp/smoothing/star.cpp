@@ -64,7 +64,7 @@ Vector3d Star::area_vector(const Wedge& w) const {
                   : (w.next - centre_).cross(w.previous - centre_).eval();
 }
 
-double Star::quality(const Wedge& wedge, const Point& p, double& stretch) const {
+double Star::quality(const Wedge& wedge, const Point& p, double& ratio) const {
     const Vector3d first = wedge.next - p;
     const Vector3d last = p - wedge.previous;
     if (!wedge.quad) {
@@ -78,8 +78,7 @@ double Star::quality(const Wedge& wedge, const Point& p, double& stretch) const 
     for (std::size_t k = 0; k < 4; ++k) length[k] = edge[k].norm();
     const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
     if (!(*shortest > 0.0)) return -1.0;
-    stretch = std::log(*longest / *shortest);
-    stretch *= stretch;
+    ratio = *longest / *shortest;
     const Vector3d axes = (wedge.opposite - p).cross(wedge.previous - wedge.next);
     // A quad that is turned over is good by its own normal; seen along the surface's it is not.
     const bool upright = axes.dot(wedge.up) > 0.0;
@@ -93,15 +92,16 @@ double Star::quality(const Wedge& wedge, const Point& p, double& stretch) const 
 }
 
 Star::Quality Star::quality(const Point& p) const {
-    Quality result{1.0, 0.0, 0.0, 0.0};
+    Quality result{1.0, 0.0, 0.0, 0.0, 1.0};
     for (int i = 0; i < size_; ++i) {
-        double stretch = 0.0;
-        const double q = quality(wedges_[static_cast<std::size_t>(i)], p, stretch);
+        double ratio = 1.0;
+        const double q = quality(wedges_[static_cast<std::size_t>(i)], p, ratio);
         const double lack = std::max(0.0, kPoor - q);
         result.worst = std::min(result.worst, q);
         result.mean += q;
         result.lack += lack * lack;
-        result.stretch += stretch;
+        result.stretch += std::log(ratio) * std::log(ratio);
+        result.ratio = std::max(result.ratio, ratio);
     }
     result.mean /= size_;
     result.lack /= size_;

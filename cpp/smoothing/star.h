@@ -37,6 +37,7 @@ class Star {
         double mean = 1.0;
         double lack = 0.0;     ///< mean square of what the faces lack of kPoor
         double stretch = 0.0;  ///< mean square of ln(longest over shortest edge) of the quads
+        double ratio = 1.0;    ///< largest of longest over shortest edge of the quads
 
         /// What a place of the node is worth in the final smoothing: mean quality, less what poor elements lack, less a
         /// little for stretched ones, since the scaled Jacobian alone lets an edge shrink to nothing.
@@ -58,8 +59,8 @@ class Star {
         bool quad;
     };
     Eigen::Vector3d area_vector(const Wedge& wedge) const;
-    /// @param stretch receives the square of ln(longest over shortest edge), 0 for a triangle
-    double quality(const Wedge& wedge, const Point& p, double& stretch) const;
+    /// @param ratio receives longest over shortest edge of a quad, 1 for a triangle
+    double quality(const Wedge& wedge, const Point& p, double& ratio) const;
 
     std::array<Wedge, kCapacity> wedges_;
     int size_ = 0;
