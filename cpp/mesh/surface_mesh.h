@@ -22,6 +22,7 @@ struct VertexInfo {
     std::int32_t input = -1;  ///< input vertex at whose place the node still is, -1 for a new or moved node
     std::int32_t line = -1;   ///< feature line the node lies on (corners: one of them), -1 = none
     NodeKind kind = NodeKind::interior;
+    double size = 0.0;        ///< wanted edge length of quads here (see qmorph/node_size.h), 0 = not known
     bool in_row = false;      ///< node of an anisotropic row: moved only by what keeps the rows' shape
 };
 

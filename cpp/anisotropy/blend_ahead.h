@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mesh/surface_mesh.h"
+#include "surface/reference_surface.h"
+
+namespace anisoquad {
+
+/// Fits the triangles ahead of the rows to the length of the rows' edges, so that the size of elements changes smoothly over the end
+/// of the rows (paper 3.2, Fig. 5 shows the sudden transition that is to be avoided): the wanted size of nodes near long front edges is
+/// raised, falling off by a bounded rate with distance, and the triangles there are remeshed.
+/// @pre assign_node_sizes
+void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference);
+
+}  // namespace anisoquad

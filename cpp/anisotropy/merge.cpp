@@ -1,0 +1,75 @@
+#include "anisotropy/merge.h"
+
+#include "mesh/euler_operators.h"
+
+namespace anisoquad {
+
+using M = SurfaceMesh;
+
+void merge_rows(SurfaceMesh& mesh, RowStack& stack, const std::vector<char>& kept) {
+    const std::size_t ends = stack.layers[0].size();
+    const std::size_t last = stack.closed ? ends - 1 : ends;  // a closed layer names its first node twice
+    for (std::size_t j = 1; j < stack.layers.size(); ++j) {
+        for (std::size_t i = 0; i < last; ++i) {
+            if (!kept[i]) dissolve_edge(mesh, M::edge(mesh.find_halfedge(stack.layers[j - 1][i], stack.layers[j][i])));
+        }
+    }
+    for (std::size_t j = 1; j + 1 < stack.layers.size(); ++j) {
+        for (std::size_t i = 0; i < last; ++i) {
+            if (!kept[i]) dissolve_vertex(mesh, M::twin(mesh.halfedge(stack.layers[j][i])));
+        }
+    }
+    for (std::size_t j = 0; j + 1 < stack.layers.size(); ++j) {
+        std::vector<Vertex> nodes;
+        for (std::size_t i = 0; i < ends; ++i) {
+            if (kept[i]) nodes.push_back(stack.layers[j][i]);
+        }
+        stack.layers[j] = std::move(nodes);
+    }
+    // A stack without rows has only the source, which merge_source_nodes() thins out.
+    if (stack.layers.size() == 1) {
+        std::vector<Vertex> nodes;
+        for (std::size_t i = 0; i < ends; ++i) {
+            if (kept[i]) nodes.push_back(stack.layers[0][i]);
+        }
+        stack.layers[0] = std::move(nodes);
+    }
+}
+
+namespace {
+
+/// Collapses the node into the neighbour on the source that is given; triangles beside vanish.
+bool collapse_along(SurfaceMesh& mesh, Vertex node, Vertex neighbour) {
+    const HalfEdge h = mesh.find_halfedge(node, neighbour);
+    if (!h.is_valid() || !is_collapse_ok(mesh, h)) return false;
+    collapse(mesh, h);
+    return true;
+}
+
+}  // namespace
+
+int merge_source_nodes(SurfaceMesh& mesh, const std::vector<Vertex>& nodes, const std::vector<char>& kept) {
+    int failed = 0;
+    const std::size_t n = nodes.size();
+    for (std::size_t first = 0; first < n;) {
+        std::size_t last = first + 1;
+        while (last < n && !kept[last]) ++last;
+        if (last >= n) break;
+        // Nodes of the first half go to the segment's start, the others to its end, from the middle outwards being last.
+        const std::size_t middle = (first + last + 1) / 2;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const std::size_t k = i < middle ? i : last + middle - 1 - i;
+            if (mesh.valence(nodes[k]) == 2) {
+                dissolve_vertex(mesh, M::twin(mesh.halfedge(nodes[k])));
+                continue;
+            }
+            const Vertex near = k < middle ? nodes[first] : nodes[last];
+            const Vertex far = k < middle ? nodes[last] : nodes[first];
+            if (!collapse_along(mesh, nodes[k], near) && !collapse_along(mesh, nodes[k], far)) ++failed;
+        }
+        first = last;
+    }
+    return failed;
+}
+
+}  // namespace anisoquad

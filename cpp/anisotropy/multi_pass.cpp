@@ -1,0 +1,240 @@
+#include "anisotropy/multi_pass.h"
+
+#include <algorithm>
+
+#include "anisotropy/merge.h"
+#include "anisotropy/refine_row.h"
+#include "anisotropy/rows.h"
+#include "anisotropy/segmentation.h"
+#include "anisotropy/source_sides.h"
+#include "anisotropy/transition.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+constexpr double kLongestHeight = 1.6;  // of a row over the width of its columns, see RowLimits
+constexpr double kLaterHeight = 0.5;    // wanted height of later passes' rows over the length of their front edges
+constexpr double kReserve = 3.0;        // heights that are left to each later pass
+constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
+
+/// A source with its nodes of the moment.
+struct Line {
+    std::vector<Vertex> nodes;
+    std::vector<Point> original;       ///< the picked polyline
+    std::vector<std::size_t> index;    ///< of each node in it
+    bool closed = false;
+};
+
+class MultiPass {
+  public:
+    MultiPass(SurfaceMesh& mesh, std::span<const Source> sources, const LocalSize& size, const ReferenceSurface& reference,
+              const Options& options, const StageObserver& observe, Context& context)
+        : mesh_(mesh), sources_(sources), size_(size), reference_(reference), options_(options), observe_(observe), context_(context) {}
+
+    MultiPassResult run() {
+        stacks_ = source_sides(mesh_, sources_);
+        std::size_t passes = 0;
+        for (const Source& source : sources_) {
+            Line line;
+            line.closed = source.vertices.front() == source.vertices.back();
+            for (std::size_t i = 0; i < source.vertices.size(); ++i) {
+                line.nodes.emplace_back(source.vertices[i]);
+                line.original.push_back(mesh_.position(line.nodes.back()));
+                line.index.push_back(i);
+            }
+            lines_.push_back(std::move(line));
+            passes = std::max(passes, source.passes.size());
+        }
+        for (const RowStack& stack : stacks_) {
+            for (const Vertex v : stack.layers[0]) mesh_.info(v).in_row = true;
+        }
+        for (std::size_t p = 0; p < passes; ++p) {
+            context_.report(static_cast<double>(p) / static_cast<double>(passes));
+            run_pass(p);
+        }
+        for (RowStack& stack : stacks_) {
+            if (stack.rows() > 0) refine_to_local_size(mesh_, stack, size_, reference_);
+        }
+        if (observe_) observe_("transition");
+        return std::move(result_);
+    }
+
+  private:
+    const Pass* pass_of(const RowStack& stack, std::size_t p) const {
+        const auto& passes = sources_[static_cast<std::size_t>(stack.source)].passes;
+        return p < passes.size() ? &passes[p] : nullptr;
+    }
+
+    void run_pass(std::size_t p) {
+        const std::vector<std::size_t> before = rows_of_all();
+        advance_rows(p);
+        const std::string name = "pass " + std::to_string(p + 1);
+        if (observe_) observe_(name + ": rows");
+        std::vector<std::size_t> columns;
+        for (const RowStack& stack : stacks_) columns.push_back(stack.columns());
+        for (std::size_t s = 0; s < sources_.size(); ++s) merge_source(s, p, before);
+        for (std::size_t i = 0; i < stacks_.size(); ++i) {
+            const Pass* pass = pass_of(stacks_[i], p);
+            if (!pass) continue;
+            const std::size_t rows = stacks_[i].rows();
+            result_.passes.push_back({stacks_[i].source, static_cast<std::int32_t>(p) + 1, stacks_[i].left ? "left" : "right", pass->ratio,
+                                      static_cast<std::int32_t>(rows > before[i] ? rows - before[i] : 0),
+                                      static_cast<std::int32_t>(columns[i]), stacks_[i].stopped});
+        }
+        if (observe_) observe_(name + ": merge");
+    }
+
+    std::vector<std::size_t> rows_of_all() const {
+        std::vector<std::size_t> rows;
+        for (const RowStack& stack : stacks_) rows.push_back(stack.rows());
+        return rows;
+    }
+
+    /// All stacks in step: one row each, until none can go on.
+    void advance_rows(std::size_t p) {
+        std::vector<char> active(stacks_.size(), 1);
+        for (std::size_t step = 0; std::count(active.begin(), active.end(), 1) > 0; ++step) {
+            for (std::size_t i = 0; i < stacks_.size(); ++i) {
+                if (!active[i]) continue;
+                const Pass* pass = pass_of(stacks_[i], p);
+                active[i] = 0;
+                if (!pass) continue;
+                // One row more than asked for: the uppermost is given back as triangles.
+                const std::size_t wanted = static_cast<std::size_t>(pass->rows) + (pass->ratio > 1 ? 1 : 0);
+                if (pass->rows > 0 && step >= wanted) {
+                    stacks_[i].stopped = "as many rows as asked for";
+                    continue;
+                }
+                RowLimits limits;
+                limits.pass = static_cast<int>(p) + 1;
+                limits.longest_height = kLongestHeight;
+                limits.growth = options_.row_growth;
+                limits.height_of_width = p > 0 ? kLaterHeight : 0.0;
+                const auto& passes = sources_[static_cast<std::size_t>(stacks_[i].source)].passes;
+                limits.clearance = 1.9 + kReserve * static_cast<double>(passes.size() - p - 1);
+                limits.merged = 1;
+                for (std::size_t q = p; q < passes.size(); ++q) limits.merged *= passes[q].ratio;
+                active[i] = build_row(mesh_, stacks_[i], size_, reference_, limits);
+                context_.report(static_cast<double>(p) / 4.0);
+            }
+        }
+    }
+
+    bool is_active(std::size_t s, std::size_t p, const std::vector<std::size_t>& before) const {
+        if (p >= sources_[s].passes.size() || sources_[s].passes[p].ratio < 2) return false;
+        for (std::size_t i = 0; i < stacks_.size(); ++i) {
+            if (stacks_[i].source == static_cast<std::int32_t>(s) && stacks_[i].rows() > before[i]) return true;
+        }
+        return false;
+    }
+
+    void merge_source(std::size_t s, std::size_t p, const std::vector<std::size_t>& before) {
+        if (!is_active(s, p, before)) return;
+        Line& line = lines_[s];
+        const std::vector<char> kept = segment_ends(s, sources_[s].passes[p].ratio);
+        std::vector<char> is_kept(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        for (std::size_t i = 0; i < line.nodes.size(); ++i) is_kept[static_cast<std::size_t>(line.nodes[i].index())] = kept[i];
+        for (RowStack& stack : stacks_) {
+            if (stack.source != static_cast<std::int32_t>(s)) continue;
+            std::vector<char> kept_here;
+            for (const Vertex v : stack.layers[0]) kept_here.push_back(is_kept[static_cast<std::size_t>(v.index())]);
+            merge_rows(mesh_, stack, kept_here);
+        }
+        const int failed = merge_source_nodes(mesh_, line.nodes, kept);
+        if (failed > 0) result_.warnings.push_back(std::to_string(failed) + " source nodes could not be merged");
+        for (RowStack& stack : stacks_) {
+            if (stack.source == static_cast<std::int32_t>(s) && stack.rows() > 0) give_back_top_row(mesh_, stack);
+        }
+        Line thinned;
+        thinned.closed = line.closed;
+        thinned.original = std::move(line.original);
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            if (!kept[i]) continue;
+            thinned.nodes.push_back(line.nodes[i]);
+            thinned.index.push_back(line.index[i]);
+        }
+        line = std::move(thinned);
+    }
+
+    /// Ends of stacks inside the source (where another line meets it) end segments too, each part with ramps of its own.
+    std::vector<char> segment_ends(std::size_t s, int ratio) const {
+        const Line& line = lines_[s];
+        const std::size_t n = line.nodes.size();
+        std::vector<char> kept(n, 0);
+        kept.front() = kept.back() = 1;
+        bool cut = false;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (const RowStack& stack : stacks_) {
+                if (stack.source != static_cast<std::int32_t>(s) || stack.closed) continue;
+                if (stack.layers[0].front() == line.nodes[i] || stack.layers[0].back() == line.nodes[i]) {
+                    kept[i] = 1;
+                    cut = true;
+                }
+            }
+        }
+        const double sagitta = kSagitta * first_row_height(s);
+        for (std::size_t first = 0; first + 1 < n;) {
+            std::size_t last = first + 1;
+            while (!kept[last]) ++last;
+            const int edges = static_cast<int>(last - first);
+            const auto segments = line.closed && !cut ? segment_closed(edges, ratio) : segment_open(edges, ratio);
+            const auto accept = [&](int a, int b) {
+                return deviation(line, first + static_cast<std::size_t>(a), first + static_cast<std::size_t>(b)) <= sagitta;
+            };
+            std::size_t at = first;
+            for (const int length : refine_segments(segments, accept)) {
+                at += static_cast<std::size_t>(length);
+                kept[at] = 1;
+            }
+            first = last;
+        }
+        return kept;
+    }
+
+    /// Smallest height of the rows next to the source, which a merged edge must not cut off.
+    double first_row_height(std::size_t s) const {
+        double height = 1e300;
+        for (const RowStack& stack : stacks_) {
+            if (stack.source != static_cast<std::int32_t>(s) || stack.rows() == 0) continue;
+            for (std::size_t i = 0; i < stack.layers[0].size(); ++i) {
+                height = std::min(height, (mesh_.position(stack.layers[1][i]) - mesh_.position(stack.layers[0][i])).norm());
+            }
+        }
+        return height;
+    }
+
+    /// Largest distance of the picked polyline between two nodes from the straight edge that is to replace it.
+    static double deviation(const Line& line, std::size_t a, std::size_t b) {
+        const Point& p = line.original[line.index[a]];
+        const Point& q = line.original[line.index[b]];
+        const Eigen::Vector3d along = (q - p).normalized();
+        double largest = 0.0;
+        for (std::size_t i = line.index[a] + 1; i < line.index[b]; ++i) {
+            const Eigen::Vector3d offset = line.original[i] - p;
+            largest = std::max(largest, (offset - offset.dot(along) * along).norm());
+        }
+        return largest;
+    }
+
+    SurfaceMesh& mesh_;
+    std::span<const Source> sources_;
+    const LocalSize& size_;
+    const ReferenceSurface& reference_;
+    const Options& options_;
+    const StageObserver& observe_;
+    Context& context_;
+    std::vector<RowStack> stacks_;
+    std::vector<Line> lines_;
+    MultiPassResult result_;
+};
+
+}  // namespace
+
+MultiPassResult build_anisotropic_rows(SurfaceMesh& mesh, std::span<const Source> sources, const LocalSize& size,
+                                       const ReferenceSurface& reference, const Options& options, const StageObserver& observe,
+                                       Context& context) {
+    return MultiPass(mesh, sources, size, reference, options, observe, context).run();
+}
+
+}  // namespace anisoquad

@@ -1,0 +1,381 @@
+#include "anisotropy/rows.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "anisotropy/geodesic_trace.h"
+#include "mesh/euler_operators.h"
+#include "qmorph/edge_recovery.h"
+#include "qmorph/front.h"
+#include "quality/metrics.h"
+#include "smoothing/move_node.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+using Eigen::Vector3d;
+constexpr double kPi = std::numbers::pi;
+constexpr double kAlongLine = 0.85 * kPi;   // sector up to which the end column runs along the line
+constexpr double kFacing = 0.6;             // sine of incidence from which an obstacle lies ahead of a column, not beside it
+constexpr double kAhead = 1.3;              // heights that must be free even of lines beside the row
+constexpr double kSlimmest = 4.0;            // height over width of one column
+constexpr double kSharpTurn = 0.5;           // radians by which the front turns at a corner
+constexpr double kLeastQuality = 0.25;      // scaled Jacobian of a row quad
+constexpr double kEvenOut = 0.5;             // lean towards the longer of two front edges
+constexpr double kLeastGrowth = 1.02;       // rows never get thinner away from the source
+constexpr std::int32_t kRowLine = 1 << 30;  // marks the edges of the row while it is built
+
+class RowBuilder {
+  public:
+    RowBuilder(SurfaceMesh& mesh, RowStack& stack, const LocalSize& size, const ReferenceSurface& reference, const RowLimits& limits)
+        : mesh_(mesh), stack_(stack), size_(size), reference_(reference), limits_(limits), bottom_(stack.top()) {}
+
+    bool run() {
+        columns_ = bottom_.size() - 1;
+        if (!collect_front() || !plan_ends()) return false;
+        plan_shear();
+        if (!plan_heights()) return false;
+        align_columns();
+        if (!check_way()) return false;
+        const bool built = insert_nodes() && recover_edges() && form_quads();
+        for (const Edge e : marked_) {
+            if (!mesh_.is_deleted(e) && mesh_.info(e).line == kRowLine) mesh_.info(e).line = -1;
+        }
+        if (!built) {
+            for (const Vertex v : placed_) mesh_.info(v).in_row = false;
+        }
+        return built;
+    }
+
+  private:
+    bool stop(const char* why) {
+        stack_.stopped = why;
+        return false;
+    }
+
+    const Point& at(Vertex v) const { return mesh_.position(v); }
+
+    bool collect_front() {
+        front_.clear();
+        for (std::size_t i = 0; i < columns_; ++i) {
+            const HalfEdge h = mesh_.find_halfedge(bottom_[i], bottom_[i + 1]);
+            if (!h.is_valid() || !is_front(mesh_, h)) return stop("another row or the boundary lies directly ahead");
+            front_.push_back(h);
+        }
+        return true;
+    }
+
+    /// Front edge that ends at node i.
+    HalfEdge into(std::size_t i) const {
+        if (i > 0) return front_[i - 1];
+        return stack_.closed ? front_.back() : previous_front(mesh_, front_[0]);
+    }
+
+    bool is_end(std::size_t i) const { return !stack_.closed && (i == 0 || i == columns_); }
+
+    /// At open ends: run along the line (fixed node), or free at a right angle.
+    bool plan_ends() {
+        top_.assign(columns_ + 1, Vertex());
+        angle_.assign(columns_ + 1, 0.0);
+        shear_.assign(columns_ + 1, 0.0);
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            const HalfEdge in = into(i);
+            const double sector = front_angle(mesh_, in);
+            angle_[i] = 0.5 * sector;
+            if (!is_end(i)) {
+                if (sector < 0.3 * kPi) return stop("the front turns too sharply for one more row");
+                continue;
+            }
+            const HalfEdge line = i == 0 ? in : next_front(mesh_, in);
+            if (sector < kAlongLine) {
+                top_[i] = i == 0 ? mesh_.from(line) : mesh_.to(line);
+                if (std::find(bottom_.begin(), bottom_.end(), top_[i]) != bottom_.end()) return stop("the line at the row's end turns back to it");
+                if (mesh_.info(top_[i]).kind == NodeKind::corner) return stop("the end column reaches a corner of the feature lines");
+                shear_[i] = (i == 0 ? 1.0 : -1.0) / std::tan(std::clamp(sector, 0.15 * kPi, 0.85 * kPi));
+            } else {
+                angle_[i] = i == 0 ? std::max(0.5 * sector, sector - 0.5 * kPi) : std::min(0.5 * sector, 0.5 * kPi);
+            }
+        }
+        return true;
+    }
+
+    /// Columns over which a value that an end forces on the row fades.
+    double reach() const { return std::max(3.0, static_cast<double>(columns_) / 3.0); }
+
+    /// Values between the given ones at the row's ends that are as smooth as the distance from `wanted` allows: the least sum of
+    /// squared differences plus squared distances over reach². A closed row, which has no ends, is evened out over neighbours.
+    void spread(std::vector<double>& value, const std::vector<double>& wanted, double over) const {
+        const std::size_t n = columns_;
+        if (stack_.closed) {
+            std::vector<double> next(value.size());
+            for (int sweep = 0; sweep < 8; ++sweep) {
+                for (std::size_t i = 0; i <= n; ++i) next[i] = 0.5 * value[i] + 0.25 * (value[i > 0 ? i - 1 : n - 1] + value[i < n ? i + 1 : 1]);
+                value.swap(next);
+            }
+            return;
+        }
+        // (2 + pull)·v[i] − v[i−1] − v[i+1] = pull·wanted[i]: Thomas algorithm. Free ends follow their wish.
+        const double pull = 1.0 / (over * over);
+        std::vector<double> c(n + 1, 0.0);
+        std::vector<double> d(n + 1, 0.0);
+        d[0] = value[0];
+        for (std::size_t i = 1; i < n; ++i) {
+            const double m = 2.0 + pull - c[i - 1];
+            c[i] = 1.0 / m;
+            d[i] = (d[i - 1] + pull * wanted[i]) / m;
+        }
+        for (std::size_t i = n; i-- > 1;) value[i] = d[i] + c[i] * value[i + 1];
+    }
+
+    /// Columns lean along the source by `shear_` heights per height: as the lines at the ends force the end columns to, and
+    /// towards the longer one of two neighbouring front edges; in between the lean fades over a third of the row, so that
+    /// columns that come together at one end are squeezed all alike.
+    void plan_shear() {
+        std::vector<double> wanted(columns_ + 1, 0.0);
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            if (is_end(i)) continue;
+            const double before = mesh_.length(into(i));
+            const double after = mesh_.length(front_[i < columns_ ? i : 0]);
+            wanted[i] = kEvenOut * (after - before) / (after + before);
+        }
+        spread(shear_, std::vector<double>(columns_ + 1, 0.0), reach());
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            if (is_end(i)) continue;
+            shear_[i] = std::clamp(shear_[i] + wanted[i], -1.5, 1.5);
+            const double sector = 2.0 * angle_[i];
+            angle_[i] = std::clamp(angle_[i] + std::atan(shear_[i]), 0.15 * sector, 0.85 * sector);
+        }
+    }
+
+    bool plan_heights() {
+        height_.assign(columns_ + 1, 0.0);
+        std::vector<double> low(columns_ + 1, 0.0);
+        std::vector<double> high(columns_ + 1, 0.0);
+        std::int32_t hint = -1;
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            // The size where the row's middle will be, not where it starts.
+            const double before = stack_.height(mesh_, i);
+            const TraceEnd ahead = trace_geodesic(mesh_, into(i), angle_[i], before > 0.0 ? before : 1e-3 * mesh_.length(into(i)));
+            const double local = size_(ahead.position, hint);
+            low[i] = before > 0.0 ? before * kLeastGrowth : 0.0;
+            high[i] = before > 0.0 ? before * limits_.growth : 1e300;
+            const double width = 0.5 * (mesh_.length(front_[i > 0 ? i - 1 : 0]) + mesh_.length(front_[i < columns_ ? i : columns_ - 1]));
+            const double least = limits_.height_of_width * width;
+            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]) : std::clamp(std::max(local, least), low[i], high[i]);
+        }
+        // A column on a line has the height that the line's nodes give; the others lead over to it slowly, or the rows tilt.
+        const std::vector<double> local = height_;
+        spread(height_, local, reach());
+        std::size_t slim = 0;
+        for (std::size_t i = 0; i < columns_; ++i) {
+            const double width = mesh_.length(front_[i]);
+            const double height = 0.5 * (height_[i] + height_[i + 1]);
+            if (height > kSlimmest * width) return stop("a column has become too slim");
+            slim += height > limits_.longest_height * width;
+        }
+        if (4 * slim > columns_) return stop("the triangles ahead are too large for the length of the front's edges");
+        return true;
+    }
+
+    /// Neighbouring columns run alike: their displacements are averaged over a few columns, or the bisectors of a slightly uneven
+    /// front would focus and spread the columns more with every row. Sharp turns of the front keep their own.
+    void align_columns() {
+        std::vector<Vector3d> column(columns_ + 1);
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            const Point end = top_[i].is_valid() ? at(top_[i]) : trace_geodesic(mesh_, into(i), angle_[i], way(i)).position;
+            column[i] = end - at(bottom_[i]);
+        }
+        std::vector<Vector3d> smooth = column;
+        std::vector<Vector3d> next = column;
+        for (int sweep = 0; sweep < 12; ++sweep) {
+            for (std::size_t i = 0; i <= columns_; ++i) {
+                if (is_end(i) || turns_sharply(i)) continue;
+                const std::size_t before = i > 0 ? i - 1 : columns_ - 1;
+                const std::size_t after = i < columns_ ? i + 1 : 1;
+                next[i] = 0.5 * smooth[i] + 0.25 * (smooth[before] + smooth[after]);
+            }
+            smooth.swap(next);
+        }
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            if (is_end(i) || turns_sharply(i)) continue;
+            const double length = column[i].norm();
+            const Vector3d along = (at(bottom_[i < columns_ ? i + 1 : 1]) - at(mesh_.from(into(i)))).normalized();
+            const double shift = (smooth[i] * (length / smooth[i].norm()) - column[i]).dot(along) / length;
+            const double sector = front_angle(mesh_, into(i));
+            angle_[i] = std::clamp(angle_[i] + std::asin(std::clamp(shift, -0.7, 0.7)), 0.15 * sector, 0.85 * sector);
+        }
+    }
+
+    bool turns_sharply(std::size_t i) const { return std::abs(front_angle(mesh_, into(i)) - kPi) > kSharpTurn; }
+
+    /// Length of the edge that the front at node i becomes by all merges; near the ends the ramps keep it short.
+    double merged_length(std::size_t i) const {
+        const double from_end = static_cast<double>(stack_.closed ? columns_ : std::min(i, columns_ - i));
+        return std::min(static_cast<double>(limits_.merged), 1.0 + 0.8 * from_end) * mesh_.length(into(i > 0 ? i : 1));
+    }
+
+    /// Enough free surface ahead of every column.
+    bool check_way() {
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            if (top_[i].is_valid()) continue;
+            const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i) * limits_.clearance + 0.8 * merged_length(i));
+            // A line that the column meets at a flat angle runs beside the row, as those at its ends do: only the row itself counts.
+            const bool ahead = end.incidence > kFacing || end.length < kAhead * way(i);
+            if (end.blocked && ahead) return stop("a boundary, a feature line or another row is too close ahead");
+        }
+        return true;
+    }
+
+    /// Way along the column for the wanted height across the row.
+    double way(std::size_t i) const {
+        const double half = angle_[i] - std::atan(shear_[i]);
+        const double across = is_end(i) ? 1.0 : std::clamp(std::sin(std::min(half, kPi - half)), 0.7, 1.0);
+        return height_[i] * std::hypot(1.0, shear_[i]) / across;
+    }
+
+    bool insert_nodes() {
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            if (top_[i].is_valid()) continue;
+            if (stack_.closed && i == columns_) {
+                top_[i] = top_[0];
+                continue;
+            }
+            const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i));
+            if (end.blocked) return stop("a boundary, a feature line or another row is too close ahead");
+            top_[i] = put_node(end, 0.3 * std::min(way(i), mesh_.length(into(i))));
+            mesh_.info(top_[i]).in_row = true;  // from here on nothing else moves it
+            placed_.push_back(top_[i]);
+            std::int32_t hint = -1;
+            const Point kept = at(top_[i]);
+            const double before = worst_quality(mesh_, top_[i], node_normal(mesh_, top_[i]));
+            mesh_.position(top_[i]) = reference_.project(kept, mesh_.info(end.face).patch, hint);
+            if (worst_quality(mesh_, top_[i], node_normal(mesh_, top_[i])) < std::min(1e-3, before)) mesh_.position(top_[i]) = kept;
+        }
+        for (std::size_t i = 0; i < columns_; ++i) {
+            const Vector3d normal = sector_normal(mesh_, into(i)) + sector_normal(mesh_, into(i + 1 < columns_ || !stack_.closed ? i + 1 : 0));
+            const double q = scaled_jacobian(at(bottom_[i]), at(bottom_[i + 1]), at(top_[i + 1]), at(top_[i]), normal);
+            if (q < kLeastQuality) return stop("a quad of the row would be too distorted");
+        }
+        return true;
+    }
+
+    /// A node at the end of the trace: a free triangle node close by is moved there, else the triangle or its edge is split.
+    Vertex put_node(const TraceEnd& end, double reach) {
+        Vertex nearest;
+        double best = reach;
+        for (const HalfEdge h : mesh_.halfedges(end.face)) {
+            const Vertex v = mesh_.from(h);
+            const double distance = (at(v) - end.position).norm();
+            if (distance < best && is_free(v)) {
+                best = distance;
+                nearest = v;
+            }
+        }
+        if (nearest.is_valid()) {
+            const Point kept = at(nearest);
+            const Vector3d normal = node_normal(mesh_, nearest);
+            mesh_.position(nearest) = end.position;
+            if (worst_quality(mesh_, nearest, normal) > 0.01) {
+                mesh_.info(nearest).input = -1;
+                return nearest;
+            }
+            mesh_.position(nearest) = kept;
+        }
+        // Close to an edge: split it there, so that no sliver comes up.
+        for (const HalfEdge h : mesh_.halfedges(end.face)) {
+            const Vector3d along = at(mesh_.to(h)) - at(mesh_.from(h));
+            const Vector3d offset = end.position - at(mesh_.from(h));
+            const double t = along.dot(offset) / along.squaredNorm();
+            const double distance = (offset - t * along).norm();
+            if (distance > 0.1 * along.norm() || t < 0.05 || t > 0.95) continue;
+            if (is_front(mesh_, h) || is_front(mesh_, M::twin(h)) || mesh_.is_constrained(M::edge(h))) continue;
+            if (!mesh_.is_triangle(mesh_.face(M::twin(h)))) continue;
+            return split_edge(mesh_, M::edge(h), at(mesh_.from(h)) + t * along);
+        }
+        return split_face(mesh_, end.face, end.position);
+    }
+
+    /// A triangle node that no front, line or row holds.
+    bool is_free(Vertex v) const {
+        if (!is_movable(mesh_, v) || std::find(top_.begin(), top_.end(), v) != top_.end()) return false;
+        for (const HalfEdge h : mesh_.outgoing(v)) {
+            if (!mesh_.is_triangle(mesh_.face(h))) return false;
+        }
+        return true;
+    }
+
+    bool recover(Vertex a, Vertex b) {
+        const HalfEdge h = recover_edge(mesh_, a, b);
+        if (!h.is_valid()) return false;
+        const Edge e = M::edge(h);
+        if (mesh_.info(e).line < 0) {
+            mesh_.info(e).line = kRowLine;
+            marked_.push_back(e);
+        }
+        return true;
+    }
+
+    bool recover_edges() {
+        for (std::size_t i = 0; i <= columns_; ++i) {
+            if (!recover(bottom_[i], top_[i])) return stop("the triangles ahead could not be swapped into the row (column)");
+        }
+        for (std::size_t i = 0; i < columns_; ++i) {
+            if (!recover(top_[i + 1], top_[i])) return stop("the triangles ahead could not be swapped into the row (top)");
+        }
+        return true;
+    }
+
+    std::array<HalfEdge, 4> loop_of(std::size_t i) const {
+        return {mesh_.find_halfedge(bottom_[i], bottom_[i + 1]), mesh_.find_halfedge(bottom_[i + 1], top_[i + 1]),
+                mesh_.find_halfedge(top_[i + 1], top_[i]), mesh_.find_halfedge(top_[i], bottom_[i])};
+    }
+
+    bool form_quads() {
+        std::vector<Face> faces;
+        for (std::size_t i = 0; i < columns_; ++i) {
+            if (!collect_region(mesh_, loop_of(i), faces)) return stop("something lies inside the row");
+        }
+        const auto row = static_cast<std::int32_t>(stack_.rows()) + 1;
+        for (std::size_t i = 0; i < columns_; ++i) {
+            const auto loop = loop_of(i);
+            collect_region(mesh_, loop, faces);
+            FaceInfo& info = mesh_.info(replace_region(mesh_, loop, faces));
+            if (!limits_.is_row) continue;
+            info.row = row;
+            info.pass = limits_.pass;
+            info.source = stack_.source;
+        }
+        for (const Vertex v : bottom_) mesh_.info(v).in_row = true;
+        for (const Vertex v : top_) mesh_.info(v).in_row = true;
+        stack_.layers.push_back(top_);
+        stack_.pass_of_row.push_back(limits_.pass);
+        return true;
+    }
+
+    SurfaceMesh& mesh_;
+    RowStack& stack_;
+    const LocalSize& size_;
+    const ReferenceSurface& reference_;
+    const RowLimits& limits_;
+    const std::vector<Vertex> bottom_;
+    std::size_t columns_ = 0;
+    std::vector<HalfEdge> front_;
+    std::vector<Vertex> top_;
+    std::vector<double> angle_;
+    std::vector<double> shear_;
+    std::vector<double> height_;
+    std::vector<Edge> marked_;
+    std::vector<Vertex> placed_;
+};
+
+}  // namespace
+
+bool build_row(SurfaceMesh& mesh, RowStack& stack, const LocalSize& size, const ReferenceSurface& reference, const RowLimits& limits) {
+    return RowBuilder(mesh, stack, size, reference, limits).run();
+}
+
+}  // namespace anisoquad

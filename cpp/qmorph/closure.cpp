@@ -1,0 +1,277 @@
+#include "qmorph/closure.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "mesh/euler_operators.h"
+#include "qmorph/front.h"
+#include "quality/metrics.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+using Eigen::Vector3d;
+
+Vector3d region_normal(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
+    Vector3d normal = Vector3d::Zero();
+    for (const Face f : faces) {
+        const HalfEdge k = mesh.halfedge(f);
+        const Point& p = mesh.position(mesh.from(k));
+        normal += (mesh.position(mesh.to(k)) - p).cross(mesh.position(mesh.to(mesh.next(k))) - p);
+    }
+    return normal;
+}
+
+constexpr double kFolded = -0.3;  // what smoothing can still open
+constexpr double kDoubled = -2.0;  // a cut that would double an edge
+
+/// Six edges: cut by one of three diagonals into two quads, or three spokes from a new node to every other node.
+bool close_six(SurfaceMesh& mesh, const std::array<HalfEdge, 6>& loop, const std::vector<Face>& faces) {
+    std::array<Vertex, 6> v;
+    for (std::size_t i = 0; i < 6; ++i) v[i] = mesh.from(loop[i]);
+    const auto p = [&](std::size_t i) -> const Point& { return mesh.position(v[i % 6]); };
+    const Vector3d n = region_normal(mesh, faces);
+    double best = kFolded;
+    int choice = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh.find_halfedge(v[i], v[i + 3]).is_valid() &&
+            std::none_of(faces.begin(), faces.end(), [&](Face f) {
+                const HalfEdge d = mesh.find_halfedge(v[i], v[i + 3]);
+                return mesh.face(d) == f || mesh.face(M::twin(d)) == f;
+            })) {
+            continue;  // joined outside already: a second edge between the same nodes
+        }
+        const double q = std::min(scaled_jacobian(p(i), p(i + 1), p(i + 2), p(i + 3), n),
+                                  scaled_jacobian(p(i + 3), p(i + 4), p(i + 5), p(i), n));
+        if (q > best) {
+            best = q;
+            choice = static_cast<int>(i);
+        }
+    }
+    Point centre = Point::Zero();
+    for (std::size_t i = 0; i < 6; ++i) centre += p(i) / 6.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        double q = 1.0;
+        for (std::size_t k = i; k < 6; k += 2) q = std::min(q, scaled_jacobian(p(k), p(k + 1), p(k + 2), centre, n));
+        if (q > best) {
+            best = q;
+            choice = 3 + static_cast<int>(i);
+        }
+    }
+    if (choice < 0) return false;
+    replace_region(mesh, loop, faces);
+    if (choice < 3) {
+        const auto i = static_cast<std::size_t>(choice);
+        insert_edge(mesh, loop[i], loop[i + 3]);
+        return true;
+    }
+    const auto i = static_cast<std::size_t>(choice - 3);
+    // A star of six spokes, of which every other one goes.
+    const Vertex c = split_face(mesh, mesh.face(loop[0]), centre);
+    for (std::size_t k = i + 1; k < 6; k += 2) dissolve_edge(mesh, M::edge(mesh.find_halfedge(c, v[k])));
+    return true;
+}
+
+/// The unmeshed triangles of the patch, and the walk of single triangles towards each other.
+class Finish {
+  public:
+    explicit Finish(SurfaceMesh& mesh) : mesh_(mesh) {}
+
+    FinishResult run() {
+        pair_neighbours();
+        collect_single();
+        for (const Face f : single_) {
+            if (mesh_.is_deleted(f) || !mesh_.is_triangle(f)) continue;
+            if (walk(f)) {
+                ++result_.walks;
+            } else {
+                ++result_.left;
+            }
+        }
+        return result_;
+    }
+
+  private:
+    struct Pair {
+        double quality;
+        Edge edge;
+    };
+
+    double quality_of(Edge e) const {
+        const HalfEdge h = M::halfedge(e);
+        const HalfEdge g = M::twin(h);
+        const Point& a = mesh_.position(mesh_.from(h));
+        const Point& b = mesh_.position(mesh_.to(mesh_.next(g)));
+        const Point& c = mesh_.position(mesh_.to(h));
+        const Point& d = mesh_.position(mesh_.to(mesh_.next(h)));
+        return scaled_jacobian(a, b, c, d);
+    }
+
+    bool joins_triangles(Edge e) const {
+        if (mesh_.is_deleted(e) || mesh_.is_constrained(e)) return false;
+        const HalfEdge h = M::halfedge(e);
+        const HalfEdge g = M::twin(h);
+        if (!mesh_.is_triangle(mesh_.face(h)) || !mesh_.is_triangle(mesh_.face(g))) return false;
+        return mesh_.to(mesh_.next(h)) != mesh_.to(mesh_.next(g));  // two triangles on the same nodes are no quad
+    }
+
+    void pair_neighbours() {
+        std::vector<Pair> pairs;
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            if (joins_triangles(Edge(i))) pairs.push_back({quality_of(Edge(i)), Edge(i)});
+        }
+        std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+            return a.quality != b.quality ? a.quality > b.quality : a.edge < b.edge;
+        });
+        for (const Pair& pair : pairs) {
+            if (!joins_triangles(pair.edge)) continue;
+            dissolve_edge(mesh_, pair.edge);
+            ++result_.pairs;
+        }
+    }
+
+    void collect_single() {
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
+            if (!mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i))) single_.push_back(Face(i));
+        }
+        from_.assign(static_cast<std::size_t>(mesh_.face_slots()), HalfEdge());
+        stamp_.assign(static_cast<std::size_t>(mesh_.face_slots()), -1);
+    }
+
+    /// Breadth-first to the nearest other triangle; then cut the pentagons along the way anew. A door that can not be passed is
+    /// remembered and the way searched again.
+    bool walk(Face start) {
+        shut_.clear();
+        Face f = start;
+        for (int tries = 0; tries < 200; ++tries) {
+            if (!find_path(f)) return false;
+            bool passed = true;
+            for (std::size_t i = 0; i + 1 < path_.size() && passed; ++i) {
+                passed = step(path_[i], path_[i + 1]);
+                if (!passed) {
+                    f = mesh_.face(path_[i]);
+                    shut_.push_back(M::edge(path_[i]));
+                }
+            }
+            if (!passed) continue;
+            const Edge last = M::edge(path_.back());
+            if (joins_triangles(last)) {
+                dissolve_edge(mesh_, last);
+                return true;
+            }
+            f = mesh_.face(path_.back());
+            shut_.push_back(last);
+        }
+        return false;
+    }
+
+    bool find_path(Face start) {
+        queue_.assign(1, start);
+        ++now_;
+        stamp_[static_cast<std::size_t>(start.index())] = now_;
+        Face goal;
+        for (std::size_t i = 0; i < queue_.size() && !goal.is_valid(); ++i) {
+            for (const HalfEdge h : mesh_.halfedges(queue_[i])) {
+                if (mesh_.is_constrained(M::edge(h)) || std::find(shut_.begin(), shut_.end(), M::edge(h)) != shut_.end()) continue;
+                const Face g = mesh_.face(M::twin(h));
+                const auto slot = static_cast<std::size_t>(g.index());
+                if (stamp_[slot] == now_ || mesh_.info(g).row > 0) continue;
+                stamp_[slot] = now_;
+                from_[slot] = h;  // the half-edge, in the face before, that is crossed
+                queue_.push_back(g);
+                if (mesh_.is_triangle(g)) {
+                    goal = g;
+                    break;
+                }
+            }
+        }
+        if (!goal.is_valid()) return false;
+        path_.clear();
+        for (Face f = goal; f != start; f = mesh_.face(path_.back())) path_.push_back(from_[static_cast<std::size_t>(f.index())]);
+        std::reverse(path_.begin(), path_.end());
+        return true;
+    }
+
+    /// Moves the triangle of `door` through the quad behind it, so that it lies at the half-edge `exit` of that quad.
+    /// @returns false, and nothing changed, if either cut would double an edge
+    bool step(HalfEdge door, HalfEdge exit) {
+        // The pentagon: the triangle's apex, then the quad's nodes; it must not hold a node twice.
+        const Vertex apex = mesh_.to(mesh_.next(door));
+        for (const HalfEdge h : mesh_.halfedges(mesh_.face(M::twin(door)))) {
+            if (mesh_.from(h) == apex) return false;
+        }
+        const HalfEdge back = mesh_.next(door);
+        const HalfEdge back_end = mesh_.prev(door);
+        dissolve_edge(mesh_, M::edge(door));
+        // The triangle takes the exit and the edge after it, or the one before it.
+        const HalfEdge after = mesh_.next(exit);
+        const HalfEdge before = mesh_.prev(exit);
+        const double q_after = cut_quality(exit, mesh_.next(after));
+        const double q_before = cut_quality(before, after);
+        if (std::max(q_after, q_before) <= kDoubled) {
+            const HalfEdge door_again = insert_edge(mesh_, back, mesh_.next(back_end));
+            (void)door_again;
+            return false;
+        }
+        if (q_after >= q_before) {
+            insert_edge(mesh_, exit, mesh_.next(after));
+        } else {
+            insert_edge(mesh_, before, after);
+        }
+        return true;
+    }
+
+    /// Scaled Jacobian of the quad that remains when the nodes from(h) … from(g) (two edges) are cut off a pentagon.
+    double cut_quality(HalfEdge h, HalfEdge g) const {
+        if (mesh_.find_halfedge(mesh_.from(h), mesh_.from(g)).is_valid()) return kDoubled;
+        const HalfEdge g1 = mesh_.next(g);
+        const HalfEdge g2 = mesh_.next(g1);
+        return scaled_jacobian(mesh_.position(mesh_.from(h)), mesh_.position(mesh_.from(g)), mesh_.position(mesh_.from(g1)),
+                               mesh_.position(mesh_.from(g2)));
+    }
+
+    SurfaceMesh& mesh_;
+    FinishResult result_;
+    std::vector<Face> single_;
+    std::vector<Face> queue_;
+    std::vector<HalfEdge> path_;
+    std::vector<HalfEdge> from_;
+    std::vector<std::int32_t> stamp_;
+    std::int32_t now_ = -1;
+    std::vector<Edge> shut_;
+};
+
+}  // namespace
+
+bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
+    static thread_local std::vector<Face> faces;
+    if (length == 4) {
+        std::array<HalfEdge, 4> loop;
+        for (HalfEdge& k : loop) {
+            k = h;
+            h = next_front(mesh, h);
+        }
+        if (!collect_region(mesh, loop, faces)) return false;
+        const auto p = [&](std::size_t i) -> const Point& { return mesh.position(mesh.from(loop[i])); };
+        const double q = scaled_jacobian(p(0), p(1), p(2), p(3), region_normal(mesh, faces));
+        if (q < kFolded) return false;
+        replace_region(mesh, loop, faces);
+        return true;
+    }
+    if (length == 6) {
+        std::array<HalfEdge, 6> loop;
+        for (HalfEdge& k : loop) {
+            k = h;
+            h = next_front(mesh, h);
+        }
+        return collect_region(mesh, loop, faces) && close_six(mesh, loop, faces);
+    }
+    return false;
+}
+
+FinishResult finish_remaining(SurfaceMesh& mesh) { return Finish(mesh).run(); }
+
+}  // namespace anisoquad

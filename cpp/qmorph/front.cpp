@@ -1,0 +1,76 @@
+#include "qmorph/front.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace anisoquad {
+
+using M = SurfaceMesh;
+
+HalfEdge next_front(const SurfaceMesh& mesh, HalfEdge h) {
+    HalfEdge out = mesh.next(h);
+    while (!is_front(mesh, out)) out = mesh.next(M::twin(out));
+    return out;
+}
+
+HalfEdge previous_front(const SurfaceMesh& mesh, HalfEdge h) {
+    HalfEdge in = mesh.prev(h);
+    while (!is_front(mesh, in)) in = mesh.prev(M::twin(in));
+    return in;
+}
+
+double front_angle(const SurfaceMesh& mesh, HalfEdge h) {
+    const Point& p = mesh.position(mesh.to(h));
+    double sum = 0.0;
+    HalfEdge in = h;
+    while (true) {
+        const HalfEdge out = mesh.next(in);
+        const Eigen::Vector3d a = mesh.position(mesh.from(in)) - p;
+        const Eigen::Vector3d b = mesh.position(mesh.to(out)) - p;
+        sum += std::atan2(a.cross(b).norm(), a.dot(b));
+        if (is_front(mesh, out)) return sum;
+        in = M::twin(out);
+    }
+}
+
+Eigen::Vector3d sector_normal(const SurfaceMesh& mesh, HalfEdge h) {
+    const Point& p = mesh.position(mesh.to(h));
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    HalfEdge in = h;
+    while (true) {
+        const HalfEdge out = mesh.next(in);
+        sum += (mesh.position(mesh.to(out)) - p).cross(mesh.position(mesh.from(in)) - p);
+        if (is_front(mesh, out)) return sum;
+        in = M::twin(out);
+    }
+}
+
+HalfEdge front_into(const SurfaceMesh& mesh, HalfEdge spoke) {
+    // Counter-clockwise from the spoke the sector is bounded by the reverse of the front edge that ends at the node.
+    HalfEdge out = spoke;
+    do {
+        const HalfEdge in = mesh.prev(out);
+        if (is_front(mesh, in)) return in;
+        out = M::twin(in);
+    } while (out != spoke);
+    return {};
+}
+
+int front_distance(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last, int limit) {
+    int n = 1;
+    for (HalfEdge h = first; h != last; h = next_front(mesh, h)) {
+        if (++n > limit) return -1;
+        if (n > 2 && h == first) return -1;
+    }
+    return n;
+}
+
+int loop_length(const SurfaceMesh& mesh, HalfEdge h, int limit) {
+    int n = 1;
+    for (HalfEdge k = next_front(mesh, h); k != h; k = next_front(mesh, k)) {
+        if (++n > limit) return n;
+    }
+    return n;
+}
+
+}  // namespace anisoquad

@@ -1,0 +1,24 @@
+#include "qmorph/node_size.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace anisoquad {
+
+void assign_node_sizes(SurfaceMesh& mesh) {
+    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        const Vertex v(i);
+        if (mesh.is_deleted(v)) continue;
+        const Point& p = mesh.position(v);
+        double doubled_area = 0.0;
+        int triangles = 0;
+        for (const HalfEdge h : mesh.outgoing(v)) {
+            if (mesh.is_boundary(h) || !mesh.is_triangle(mesh.face(h))) continue;
+            doubled_area += (mesh.position(mesh.to(h)) - p).cross(mesh.position(mesh.to(mesh.next(h))) - p).norm();
+            ++triangles;
+        }
+        if (triangles > 0) mesh.info(v).size = std::sqrt(doubled_area / triangles);
+    }
+}
+
+}  // namespace anisoquad

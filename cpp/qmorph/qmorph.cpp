@@ -1,0 +1,198 @@
+#include "qmorph/qmorph.h"
+
+#include <algorithm>
+#include <array>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "mesh/euler_operators.h"
+#include "qmorph/closure.h"
+#include "qmorph/edge_recovery.h"
+#include "qmorph/front.h"
+#include "qmorph/quad_formation.h"
+#include "qmorph/seam.h"
+#include "qmorph/seed.h"
+#include "qmorph/side_edge.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+constexpr int kTries = 4;  // of one front edge before it is left to finish_remaining()
+
+/// A front edge that waits: fewer right or left bits unset first, then lower level, then shorter, then lower index.
+struct Waiting {
+    int missing_bits;  // 2 − number of ends where the front turns sharply; + 3 for each failed try
+    std::int32_t level;
+    float length;
+    HalfEdge h;
+    std::int32_t stamp;
+
+    bool operator<(const Waiting& other) const {  // std::priority_queue takes the greatest first
+        return std::tie(other.missing_bits, other.level, other.length, other.h, other.stamp) < std::tie(missing_bits, level, length, h, stamp);
+    }
+};
+
+class QMorph {
+  public:
+    QMorph(SurfaceMesh& mesh, Context& context) : mesh_(mesh), context_(context) {}
+
+    QMorphResult run() {
+        start_closed_components(mesh_);
+        triangles_ = 0;
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
+            triangles_ += !mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i));
+        }
+        for (std::int32_t i = 0; i < mesh_.halfedge_slots(); ++i) {
+            if (!mesh_.is_deleted(HalfEdge(i)) && is_front(mesh_, HalfEdge(i))) push(HalfEdge(i));
+        }
+        std::int64_t steps = 0;
+        const std::int64_t most = 40 * static_cast<std::int64_t>(triangles_) + 1000;  // a limit on work per triangle
+        while (!queue_.empty() && steps < most) {
+            const Waiting top = queue_.top();
+            queue_.pop();
+            if (!is_current(top)) continue;
+            if (++steps % 1024 == 0) context_.report(std::min(0.99, 2.0 * result_.quads / std::max(1, triangles_)));
+            advance(top.h);
+        }
+        const FinishResult finish = finish_remaining(mesh_);
+        result_.paired = finish.pairs;
+        result_.walks = finish.walks;
+        result_.left = finish.left;
+        return result_;
+    }
+
+  private:
+    struct EdgeState {
+        std::int32_t level = 0;
+        std::int32_t stamp = 0;
+        std::int32_t tries = 0;
+    };
+
+    EdgeState& state(HalfEdge h) {
+        if (states_.size() < static_cast<std::size_t>(mesh_.halfedge_slots())) states_.resize(static_cast<std::size_t>(mesh_.halfedge_slots()));
+        return states_[static_cast<std::size_t>(h.index())];
+    }
+
+    void push(HalfEdge h) {
+        EdgeState& s = state(h);
+        if (s.tries >= kTries) return;
+        ++s.stamp;
+        const int bits = (front_angle(mesh_, h) < kSideAngle) + (front_angle(mesh_, previous_front(mesh_, h)) < kSideAngle);
+        queue_.push({2 - bits + 3 * s.tries, s.level, static_cast<float>(mesh_.length(h)), h, s.stamp});
+    }
+
+    bool is_current(const Waiting& w) {
+        return !mesh_.is_deleted(w.h) && state(w.h).stamp == w.stamp && is_front(mesh_, w.h);
+    }
+
+    void advance(HalfEdge h) {
+        const int length = loop_length(mesh_, h, 6);
+        if ((length == 4 || length == 6) && close_small_loop(mesh_, h, length)) {
+            ++result_.closed_loops;
+            return;
+        }
+        if (try_seam(previous_front(mesh_, h)) || try_seam(h)) {
+            if (!mesh_.is_deleted(h) && is_front(mesh_, h)) push(h);
+            return;
+        }
+        // A transition seam that could not be closed has halved an edge: h may be gone.
+        if (mesh_.is_deleted(h) || !is_front(mesh_, h)) return;
+        if (make_quad(h)) {
+            ++result_.quads;
+            return;
+        }
+        if (mesh_.is_deleted(h) || !is_front(mesh_, h)) return;
+        EdgeState& s = state(h);
+        if (++s.tries >= kTries) ++result_.failed_edges;
+        push(h);
+    }
+
+    bool try_seam(HalfEdge h) {
+        const SeamKind kind = classify_seam(mesh_, h);
+        if (kind == SeamKind::none) return false;
+        // Splits and seams can undo each other; a bound for their number keeps the work per triangle limited.
+        if (kind != SeamKind::seam && 10 * result_.transitions > triangles_ + 100) return false;
+        const std::int32_t level = state(h).level;
+        const Vertex node = mesh_.to(h);
+        if (kind == SeamKind::seam) {
+            const Vertex merged = seam(mesh_, h);
+            if (!merged.is_valid()) return false;
+            ++result_.seams;
+            refresh(merged, level);
+            return true;
+        }
+        if (kind == SeamKind::transition_seam) {
+            const Face f = transition_seam(mesh_, h);
+            if (f.is_valid()) {
+                ++result_.transitions;
+                smooth_around(mesh_, f);
+                for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level + 1);
+                return true;
+            }
+            refresh(node, level);
+            return false;
+        }
+        const Vertex m = transition_split(mesh_, h);
+        if (!m.is_valid()) return false;
+        ++result_.transitions;
+        refresh(m, level);
+        refresh(node, level);
+        return true;
+    }
+
+    /// New front edges at the node get the level; all front edges there, and those next to them, are classified anew.
+    void refresh(Vertex v, std::int32_t level) {
+        if (mesh_.is_deleted(v)) return;
+        for (const HalfEdge out : mesh_.outgoing(v)) {
+            for (const HalfEdge k : {out, M::twin(out)}) {
+                if (!is_front(mesh_, k)) continue;
+                EdgeState& s = state(k);
+                if (s.stamp == 0) s.level = level;
+                push(k);
+            }
+        }
+    }
+
+    bool make_quad(HalfEdge h) {
+        const Vertex a = mesh_.from(h);
+        const Vertex b = mesh_.to(h);
+        const HalfEdge right = choose_side_edge(mesh_, h, End::right, a);
+        if (!right.is_valid() || !is_front(mesh_, h)) return false;
+        Vertex c = mesh_.to(right);
+        HalfEdge left = choose_side_edge(mesh_, h, End::left, c);
+        if (!left.is_valid()) return false;
+        Vertex d = mesh_.to(left);
+        if (c == d || c == a || d == b) return false;
+        const HalfEdge top = recover_edge(mesh_, c, d);
+        if (!top.is_valid() || !is_front(mesh_, h)) return false;
+        const std::int32_t level = state(h).level + 1;
+        const Face f = form_quad(mesh_, h, c, d);
+        if (!f.is_valid()) return false;
+        // Slots of edges are reused: what is new on the front starts with a fresh state.
+        for (const HalfEdge k : mesh_.halfedges(f)) {
+            if (is_front(mesh_, M::twin(k))) {
+                EdgeState& s = state(M::twin(k));
+                s.level = level;
+                s.tries = 0;
+            }
+        }
+        smooth_around(mesh_, f);
+        for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level);
+        return true;
+    }
+
+    SurfaceMesh& mesh_;
+    Context& context_;
+    QMorphResult result_;
+    std::priority_queue<Waiting> queue_;
+    std::vector<EdgeState> states_;
+    std::int32_t triangles_ = 0;
+};
+
+}  // namespace
+
+QMorphResult fill_with_quads(SurfaceMesh& mesh, Context& context) { return QMorph(mesh, context).run(); }
+
+}  // namespace anisoquad

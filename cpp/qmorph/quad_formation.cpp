@@ -1,0 +1,72 @@
+#include "qmorph/quad_formation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "mesh/euler_operators.h"
+#include "quality/metrics.h"
+#include "smoothing/front_node.h"
+#include "smoothing/laplacian.h"
+#include "smoothing/move_node.h"
+
+namespace anisoquad {
+
+using M = SurfaceMesh;
+
+Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) {
+    const Vertex a = mesh.from(h);
+    const Vertex b = mesh.to(h);
+    const std::array<HalfEdge, 4> loop{h, mesh.find_halfedge(b, c), mesh.find_halfedge(c, d), mesh.find_halfedge(d, a)};
+    for (const HalfEdge side : loop) {
+        if (!side.is_valid() || !mesh.face(side).is_valid()) return {};
+    }
+    static thread_local std::vector<Face> faces;
+    if (!collect_region(mesh, loop, faces)) return {};
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (const Face f : faces) {
+        const HalfEdge k = mesh.halfedge(f);
+        const Point& p = mesh.position(mesh.from(k));
+        normal += (mesh.position(mesh.to(k)) - p).cross(mesh.position(mesh.to(mesh.next(k))) - p);
+    }
+    if (scaled_jacobian(mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(d), normal) < least) return {};
+    return replace_region(mesh, loop, faces);
+}
+
+namespace {
+
+void smooth_node(SurfaceMesh& mesh, Vertex v) {
+    if (!is_movable(mesh, v)) return;
+    bool on_quad = false;
+    bool on_triangle = false;
+    for (const HalfEdge h : mesh.outgoing(v)) {
+        if (mesh.is_boundary(h)) continue;
+        (mesh.is_triangle(mesh.face(h)) ? on_triangle : on_quad) = true;
+    }
+    Point target;
+    if (on_quad && on_triangle ? front_node_target(mesh, v, target) : laplacian_target(mesh, v, target)) move_node(mesh, v, target);
+}
+
+}  // namespace
+
+void smooth_around(SurfaceMesh& mesh, Face quad) {
+    static thread_local std::vector<Vertex> ring;
+    ring.clear();
+    std::array<Vertex, 4> nodes;
+    std::size_t n = 0;
+    for (const HalfEdge h : mesh.halfedges(quad)) nodes[n++] = mesh.from(h);
+    for (const Vertex v : nodes) {
+        for (const HalfEdge h : mesh.outgoing(v)) {
+            const Vertex w = mesh.to(h);
+            if (std::find(nodes.begin(), nodes.end(), w) == nodes.end() && std::find(ring.begin(), ring.end(), w) == ring.end()) {
+                ring.push_back(w);
+            }
+        }
+    }
+    for (const Vertex v : nodes) smooth_node(mesh, v);
+    for (const Vertex v : ring) smooth_node(mesh, v);
+    for (const Vertex v : nodes) smooth_node(mesh, v);
+}
+
+}  // namespace anisoquad

@@ -1,0 +1,211 @@
+#include "quad_mesh.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "anisotropy/blend_ahead.h"
+#include "anisotropy/local_size.h"
+#include "anisotropy/multi_pass.h"
+#include "cleanup/cleanup.h"
+#include "features/feature_lines.h"
+#include "features/parity.h"
+#include "features/patches.h"
+#include "input/check.h"
+#include "mesh/arrays.h"
+#include "mesh/validate.h"
+#include "qmorph/node_size.h"
+#include "qmorph/qmorph.h"
+#include "quality/measure.h"
+#include "smoothing/final_smoothing.h"
+#include "surface/reference_surface.h"
+
+namespace anisoquad {
+namespace {
+
+using Triangles = std::span<const std::array<std::int32_t, 3>>;
+
+/// Moves the model to the origin and gives it the size 1, so that nothing depends on where and how large it is.
+struct Frame {
+    Point centre = Point::Zero();
+    double scale = 1.0;
+
+    explicit Frame(std::span<const Point> points) {
+        Point low = points[0];
+        Point high = points[0];
+        for (const Point& p : points) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        centre = 0.5 * (low + high);
+        scale = (high - low).norm();
+    }
+    Point in(const Point& p) const { return (p - centre) / scale; }
+    Point out(const Point& p) const { return centre + scale * p; }
+};
+
+/// The stages of one run, in order.
+class Pipeline {
+  public:
+    Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options, Context& context)
+        : points_(points), triangles_(triangles), sources_(sources), options_(options), context_(context) {}
+
+    QuadMeshResult run() {
+        begin("check", 0.0, 0.02);
+        check_options(options_);
+        check_input(points_, triangles_);
+        const Frame frame(points_);
+        for (const Point& p : points_) unit_points_.push_back(frame.in(p));
+        mesh_ = from_arrays(unit_points_, triangles_);
+        check_sources(mesh_, sources_);
+        before_ = topology(mesh_);
+        end();
+
+        begin("features", 0.02, 0.05);
+        const std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        report().patches = find_patches(mesh_);
+        report().feature_lines = static_cast<std::int32_t>(lines.size());
+        std::vector<std::int32_t> facet_patch;
+        for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
+        const ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle);
+        end();
+
+        begin("rows", 0.05, 0.25);
+        assign_node_sizes(mesh_);
+        build_rows(reference, frame);
+        end();
+
+        begin("parity", 0.25, 0.26);
+        const ParityResult parity = make_parity_even(mesh_, {.sources_are_segmented = true});
+        report().parity_splits = parity.splits;
+        if (!parity.left.empty()) warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
+        end();
+
+        begin("fill", 0.26, 0.7);
+        const QMorphResult fill = fill_with_quads(mesh_, context_);
+        if (fill.left > 0) warn(std::to_string(fill.left) + " triangles are left");
+        end();
+        snapshot("fill", frame);
+
+        begin("clean-up", 0.7, 0.8);
+        if (options_.cleanup) clean_up(mesh_, reference, context_);
+        end();
+
+        begin("smoothing", 0.8, 0.95);
+        smooth_mesh(mesh_, reference, options_, context_);
+        end();
+        snapshot("result", frame);
+
+        begin("report", 0.95, 1.0);
+        finish(frame);
+        end();
+        return std::move(result_);
+    }
+
+  private:
+    Report& report() { return result_.report; }
+    void warn(const std::string& text) { report().warnings.push_back(text); }
+
+    void begin(const char* stage, double from, double to) {
+        stage_ = stage;
+        started_ = std::chrono::steady_clock::now();
+        context_.begin_stage(stage, from, to);
+    }
+
+    void end() {
+        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - started_;
+        report().times.push_back({stage_, time.count()});
+#ifdef ANISOQUAD_VALIDATE
+        check_invariants();
+#else
+        if (options_.validate) check_invariants();
+#endif
+    }
+
+    /// The invariants of every stage; a violation is an error of ours, not of the user.
+    void check_invariants() const {
+        if (mesh_.face_slots() == 0) return;
+        const std::vector<std::string> defects = validate(mesh_);
+        if (!defects.empty()) throw std::logic_error("invalid mesh after stage '" + stage_ + "': " + defects.front());
+        if (topology(mesh_) != before_) throw std::logic_error("the topology changed in stage '" + stage_ + "'");
+    }
+
+    void build_rows(const ReferenceSurface& reference, const Frame& frame) {
+        if (std::all_of(sources_.begin(), sources_.end(), [](const Source& s) { return s.passes.empty(); })) return;
+        const LocalSize size(unit_points_, triangles_, reference);
+        const auto observe = [&](const std::string& stage) {
+#ifdef ANISOQUAD_VALIDATE
+            stage_ = stage;
+            if (stage.ends_with("merge")) check_invariants();
+#endif
+            snapshot(stage, frame);
+        };
+        MultiPassResult rows = build_anisotropic_rows(mesh_, sources_, size, reference, options_, observe, context_);
+        report().passes = std::move(rows.passes);
+        for (const std::string& warning : rows.warnings) warn(warning);
+        assign_node_sizes(mesh_);
+        blend_ahead_of_rows(mesh_, reference);
+    }
+
+    Point out(Vertex v, const Frame& frame) const {
+        const std::int32_t input = mesh_.info(v).input;
+        return input >= 0 ? points_[static_cast<std::size_t>(input)] : frame.out(mesh_.position(v));
+    }
+
+    void snapshot(const std::string& name, const Frame& frame) {
+        if (!options_.record_stages) return;
+        StageSnapshot stage;
+        stage.name = name;
+        MeshArrays arrays = to_arrays(mesh_);
+        for (const Vertex v : arrays.vertices) stage.points.push_back(out(v, frame));
+        stage.faces = std::move(arrays.faces);
+        for (const Face f : arrays.face_handles) stage.row.push_back(mesh_.info(f).row);
+        result_.stages.push_back(std::move(stage));
+    }
+
+    void finish(const Frame& frame) {
+        measure(mesh_, unit_points_, triangles_, report(), sources_);
+        report().hausdorff *= frame.scale;
+        for (RowReport& row : report().rows) row.height_mean *= frame.scale;
+        MeshArrays arrays = to_arrays(mesh_);
+        for (const Vertex v : arrays.vertices) {
+            result_.points.push_back(out(v, frame));
+            result_.node_line.push_back(mesh_.info(v).line);
+            result_.node_input.push_back(mesh_.info(v).input);
+        }
+        result_.quads = std::move(arrays.faces);
+        for (const Face f : arrays.face_handles) {
+            const FaceInfo& info = mesh_.info(f);
+            result_.row.push_back(info.row);
+            result_.pass.push_back(info.pass);
+            result_.source.push_back(info.source);
+            result_.patch.push_back(info.patch);
+        }
+        for (std::int32_t e = 0; e < mesh_.edge_slots(); ++e) {
+            if (mesh_.is_deleted(Edge(e)) || mesh_.info(Edge(e)).line < 0) continue;
+            const HalfEdge h = SurfaceMesh::halfedge(Edge(e));
+            const auto point = [&](Vertex v) { return arrays.point_of_vertex[static_cast<std::size_t>(v.index())]; };
+            result_.line_edges.push_back({point(mesh_.from(h)), point(mesh_.to(h)), mesh_.info(Edge(e)).line});
+        }
+    }
+
+    std::span<const Point> points_;
+    Triangles triangles_;
+    std::span<const Source> sources_;
+    const Options& options_;
+    Context& context_;
+    SurfaceMesh mesh_;
+    std::vector<Point> unit_points_;
+    Topology before_;
+    QuadMeshResult result_;
+    std::string stage_;
+    std::chrono::steady_clock::time_point started_;
+};
+
+}  // namespace
+
+QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
+                         Context& context) {
+    return Pipeline(points, triangles, sources, options, context).run();
+}
+
+}  // namespace anisoquad
