@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cleanup/patterns.h"
+#include "cleanup/region_growth.h"
 #include "cleanup/trial.h"
 
 namespace anisoquad {
@@ -27,10 +28,34 @@ std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
 class Cleaner {
   public:
     Cleaner(SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context)
-        : mesh_(mesh), context_(context), trial_(mesh, reference) {}
+        : mesh_(mesh), context_(context), trial_(mesh, reference), growth_(trial_, planner_) {}
 
     std::int32_t run() {
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) push(Vertex(i));
+        work_off();
+        std::vector<Vertex> seeds;
+        for (int round = 0; round < 6; ++round) {
+            const std::int32_t before = operations_;
+            seeds.clear();
+            for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+                if (is_irregular(Vertex(i))) seeds.push_back(Vertex(i));
+            }
+            Region region;
+            for (const Vertex v : seeds) {
+                if (!is_irregular(v) || !growth_.improve(v, {}, region)) continue;
+                ++operations_;
+                requeue(region);
+                work_off();
+            }
+            if (operations_ == before) break;
+        }
+        return operations_;
+    }
+
+  private:
+    bool is_irregular(Vertex v) const { return !mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid() && trial_.sectors().cost(mesh_, v) > 0; }
+
+    void work_off() {
         const std::size_t limit = 20 * queue_.size() + 100;
         for (std::size_t done = 0; !queue_.empty() && done < limit; ++done) {
             if (done % 256 == 0) context_.report(static_cast<double>(done) / static_cast<double>(done + queue_.size()));
@@ -39,10 +64,8 @@ class Cleaner {
             queued_[static_cast<std::size_t>(v.index())] = 0;
             if (!mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid()) visit(v);
         }
-        return operations_;
     }
 
-  private:
     void push(Vertex v) {
         const auto i = static_cast<std::size_t>(v.index());
         if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || trial_.sectors().cost(mesh_, v) == 0) return;
@@ -106,6 +129,8 @@ class Cleaner {
     SurfaceMesh& mesh_;
     Context& context_;
     Trial trial_;
+    PatchPlanner planner_;
+    RegionGrowth growth_;
     std::queue<Vertex> queue_;
     std::vector<char> queued_;
     std::vector<Proposal> proposals_;
