@@ -38,6 +38,7 @@ def _check_arrays(test, mesh):
     test.assertTrue(((mesh.quads >= 0) & (mesh.quads < len(mesh.points))).all())
     test.assertEqual(mesh.report["quads"], quads)
     test.assertEqual(mesh.report["nodes"], len(mesh.points))
+    test.assertEqual((mesh.report["triangles_left"], mesh.report["inverted"]), (0, 0), "triangles left, inverted quads")
     test.assertTrue(mesh.valid)
 
 
