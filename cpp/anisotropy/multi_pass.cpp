@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "anisotropy/geodesic_trace.h"
 #include "anisotropy/merge.h"
-#include "anisotropy/refine_row.h"
 #include "anisotropy/rows.h"
 #include "anisotropy/segmentation.h"
 #include "anisotropy/source_sides.h"
 #include "anisotropy/transition.h"
+#include "qmorph/front.h"
 
 namespace anisoquad {
 namespace {
@@ -16,6 +17,7 @@ using M = SurfaceMesh;
 constexpr double kLongestHeight = 1.6;  // of a row over the width of its columns, see RowLimits
 constexpr double kLaterHeight = 0.5;    // wanted height of later passes' rows over the length of their front edges
 constexpr double kReserve = 3.0;        // heights that are left to each later pass
+constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
 constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
 
 /// A source with its nodes of the moment.
@@ -53,10 +55,6 @@ class MultiPass {
             context_.report(static_cast<double>(p) / static_cast<double>(passes));
             run_pass(p);
         }
-        for (RowStack& stack : stacks_) {
-            if (stack.rows() > 0) refine_to_local_size(mesh_, stack, size_, reference_);
-        }
-        if (observe_) observe_("transition");
         return std::move(result_);
     }
 
@@ -113,8 +111,6 @@ class MultiPass {
                 limits.height_of_width = p > 0 ? kLaterHeight : 0.0;
                 const auto& passes = sources_[static_cast<std::size_t>(stacks_[i].source)].passes;
                 limits.clearance = 1.9 + kReserve * static_cast<double>(passes.size() - p - 1);
-                limits.merged = 1;
-                for (std::size_t q = p; q < passes.size(); ++q) limits.merged *= passes[q].ratio;
                 active[i] = build_row(mesh_, stacks_[i], size_, reference_, limits);
                 context_.report(static_cast<double>(p) / 4.0);
             }
@@ -180,7 +176,10 @@ class MultiPass {
             const int edges = static_cast<int>(last - first);
             const auto segments = line.closed && !cut ? segment_closed(edges, ratio) : segment_open(edges, ratio);
             const auto accept = [&](int a, int b) {
-                return deviation(line, first + static_cast<std::size_t>(a), first + static_cast<std::size_t>(b)) <= sagitta;
+                const std::size_t from = first + static_cast<std::size_t>(a);
+                const std::size_t to = first + static_cast<std::size_t>(b);
+                const double length = (mesh_.position(line.nodes[to]) - mesh_.position(line.nodes[from])).norm();
+                return deviation(line, from, to) <= sagitta && free_ahead(s, line.nodes[from], line.nodes[to], kFreeAhead * length);
             };
             std::size_t at = first;
             for (const int length : refine_segments(segments, accept)) {
@@ -202,6 +201,23 @@ class MultiPass {
             }
         }
         return height;
+    }
+
+    /// True if the rows over the segment have at least `way` of unmeshed surface ahead: longer edges could not lead over to what
+    /// follows them.
+    bool free_ahead(std::size_t s, Vertex from, Vertex to, double way) const {
+        for (const RowStack& stack : stacks_) {
+            if (stack.source != static_cast<std::int32_t>(s) || stack.rows() == 0) continue;
+            const auto& nodes = stack.layers[0];
+            for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+                if (nodes[i] != from && nodes[i] != to) continue;
+                const HalfEdge in = mesh_.find_halfedge(stack.top()[i - 1], stack.top()[i]);
+                if (!in.is_valid() || !is_front(mesh_, in)) continue;
+                const TraceEnd end = trace_geodesic(mesh_, in, 0.5 * front_angle(mesh_, in), way);
+                if (end.blocked && end.incidence > 0.6) return false;
+            }
+        }
+        return true;
     }
 
     /// Largest distance of the picked polyline between two nodes from the straight edge that is to replace it.

@@ -212,17 +212,11 @@ class RowBuilder {
 
     bool turns_sharply(std::size_t i) const { return std::abs(front_angle(mesh_, into(i)) - kPi) > kSharpTurn; }
 
-    /// Length of the edge that the front at node i becomes by all merges; near the ends the ramps keep it short.
-    double merged_length(std::size_t i) const {
-        const double from_end = static_cast<double>(stack_.closed ? columns_ : std::min(i, columns_ - i));
-        return std::min(static_cast<double>(limits_.merged), 1.0 + 0.8 * from_end) * mesh_.length(into(i > 0 ? i : 1));
-    }
-
     /// Enough free surface ahead of every column.
     bool check_way() {
         for (std::size_t i = 0; i <= columns_; ++i) {
             if (top_[i].is_valid()) continue;
-            const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i) * limits_.clearance + 0.8 * merged_length(i));
+            const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i) * limits_.clearance);
             // A line that the column meets at a flat angle runs beside the row, as those at its ends do: only the row itself counts.
             const bool ahead = end.incidence > kFacing || end.length < kAhead * way(i);
             if (end.blocked && ahead) return stop("a boundary, a feature line or another row is too close ahead");
@@ -344,7 +338,6 @@ class RowBuilder {
             const auto loop = loop_of(i);
             collect_region(mesh_, loop, faces);
             FaceInfo& info = mesh_.info(replace_region(mesh_, loop, faces));
-            if (!limits_.is_row) continue;
             info.row = row;
             info.pass = limits_.pass;
             info.source = stack_.source;

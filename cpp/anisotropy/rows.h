@@ -12,8 +12,6 @@ struct RowLimits {
     double clearance = 1.9;      ///< free way ahead that a row needs, in heights
     double height_of_width = 0.0;  ///< least wanted height over the length of the front's edges, as far as the growth allows
     double growth = 1.2;         ///< most height over that of the row below
-    bool is_row = true;          ///< the quads are rows of the source; otherwise ordinary ones (anisotropy/refine_row.h)
-    int merged = 2;              ///< front edges that become one in this and all later passes: half their length is left free ahead
 };
 
 /// Builds one structured row of quads on the top of the stack, one quad per front edge: no seam, no wedge (paper 3.2).
