@@ -16,7 +16,7 @@ namespace anisoquad {
 namespace {
 
 constexpr double kFirstStep = 0.1;  ///< of the search for a node's place, over the mean edge length
-constexpr double kSmallestStep = 0.02;
+constexpr double kSmallestStep = 0.01;
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;

@@ -6,8 +6,9 @@
 
 namespace anisoquad {
 
-/// Looks for the largest score(x) near x: eight directions, the step halved (and the directions turned, so that the search does
-/// not stick to the ridge of a minimum of several measures) when none is better. Deterministic.
+/// Looks for the largest score(x) near x in four directions. After every step the directions turn by π/8, so that the search
+/// does not stick to a ridge, as the minimum of several measures has them; the step is halved when none is better. (Eight
+/// directions at a time gave the same quality in twice the time.) Deterministic.
 /// @param score callable, Eigen::Vector2d → double
 /// @returns the best score; x is where it was found
 template <class Score>
@@ -21,9 +22,9 @@ double pattern_search(const Score& score, Eigen::Vector2d& x, double step, doubl
         return d;
     }();
     double best = score(x);
-    for (std::size_t turn = 0; step >= smallest_step; turn ^= 1) {
+    for (std::size_t turn = 0; step >= smallest_step; turn = (turn + 1) % 4) {
         Eigen::Vector2d found = x;
-        for (std::size_t i = turn; i < 16; i += 2) {
+        for (std::size_t i = turn; i < 16; i += 4) {
             const Eigen::Vector2d trial = x + step * kDirections[i];
             const double s = score(trial);
             if (s > best) {
