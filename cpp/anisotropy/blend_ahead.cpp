@@ -48,12 +48,24 @@ void limit_near_lines(SurfaceMesh& mesh, const std::vector<char>& zone) {
 void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference) {
     std::vector<char> zone(static_cast<std::size_t>(mesh.vertex_slots()), 0);
     std::priority_queue<Raised> queue;
+    std::vector<char> has_rows;  // per patch: the other patches keep their sizes, although they share nodes on lines
+    const auto mark = [&](std::int32_t patch) {
+        if (static_cast<std::size_t>(patch) >= has_rows.size()) has_rows.resize(static_cast<std::size_t>(patch) + 1, 0);
+        has_rows[static_cast<std::size_t>(patch)] = 1;
+    };
+    const auto ahead = [&](HalfEdge h) {
+        if (mesh.is_boundary(h) || !mesh.is_triangle(mesh.face(h))) return false;
+        const auto patch = static_cast<std::size_t>(mesh.info(mesh.face(h)).patch);
+        return patch < has_rows.size() && has_rows[patch] != 0;
+    };
     for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
         const HalfEdge h(i);
         if (mesh.is_deleted(h) || !is_front(mesh, h)) continue;
         const Face behind = mesh.face(M::twin(h));
         if (!behind.is_valid() || mesh.info(behind).row == 0) continue;
+        mark(mesh.info(mesh.face(h)).patch);
         for (const Vertex v : {mesh.from(h), mesh.to(h)}) {
+            if (mesh.info(v).kind != NodeKind::interior) continue;
             if (mesh.length(h) > mesh.info(v).size || !zone[static_cast<std::size_t>(v.index())]) {
                 mesh.info(v).size = std::max(mesh.info(v).size, mesh.length(h));
                 queue.push({mesh.info(v).size, v});
@@ -67,9 +79,7 @@ void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference) {
         queue.pop();
         if (size < mesh.info(v).size) continue;
         for (const HalfEdge h : mesh.outgoing(v)) {
-            const bool unmeshed = (!mesh.is_boundary(h) && mesh.is_triangle(mesh.face(h))) ||
-                                  (!mesh.is_boundary(M::twin(h)) && mesh.is_triangle(mesh.face(M::twin(h))));
-            if (!unmeshed) continue;
+            if (!ahead(h) && !ahead(M::twin(h))) continue;
             const Vertex w = mesh.to(h);
             const double reaches = size - kFallOff * mesh.length(h);
             if (reaches <= mesh.info(w).size || mesh.info(w).kind != NodeKind::interior) continue;
@@ -84,7 +94,9 @@ void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference) {
         const std::vector<char> inner = zone;
         for (std::int32_t i = 0; i < static_cast<std::int32_t>(inner.size()); ++i) {
             if (!inner[static_cast<std::size_t>(i)] || mesh.is_deleted(Vertex(i))) continue;
-            for (const HalfEdge h : mesh.outgoing(Vertex(i))) zone[static_cast<std::size_t>(mesh.to(h).index())] = 1;
+            for (const HalfEdge h : mesh.outgoing(Vertex(i))) {
+                if (ahead(h) || ahead(M::twin(h))) zone[static_cast<std::size_t>(mesh.to(h).index())] = 1;
+            }
         }
     }
     remesh_triangles(mesh, zone, reference, 8);
