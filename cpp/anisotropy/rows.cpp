@@ -25,7 +25,8 @@ constexpr double kAhead = 1.3;              // heights that must be free even of
 constexpr double kSlimmest = 4.0;            // height over width of one column
 constexpr double kSharpTurn = 0.5;           // radians by which the front turns at a corner
 constexpr double kLeastQuality = 0.25;      // scaled Jacobian of a row quad
-constexpr double kEvenOut = 0.5;             // lean towards the longer of two front edges
+constexpr double kEvenOut = 0.15;            // share of a column's displacement along the row that one row takes back
+constexpr double kMostLean = 0.5;           // of a column for that, per height
 constexpr double kLeastGrowth = 1.02;       // rows never get thinner away from the source
 constexpr std::int32_t kRowLine = 1 << 30;  // marks the edges of the row while it is built
 
@@ -131,17 +132,35 @@ class RowBuilder {
         for (std::size_t i = n; i-- > 1;) value[i] = d[i] + c[i] * value[i + 1];
     }
 
+    /// Fractions of its length at which the nodes of a layer lie.
+    std::vector<double> fractions(const std::vector<Vertex>& layer) const {
+        std::vector<double> at_node(layer.size(), 0.0);
+        for (std::size_t i = 1; i < layer.size(); ++i) at_node[i] = at_node[i - 1] + (at(layer[i]) - at(layer[i - 1])).norm();
+        for (double& f : at_node) f /= at_node.back();
+        return at_node;
+    }
+
+    /// Lean per column end that leads the columns back to the share of the row's length that they have on the source, so that those
+    /// squeezed at one end give way all along the row.
+    std::vector<double> lean_to_even_columns() const {
+        std::vector<double> lean(columns_ + 1, 0.0);
+        if (stack_.closed || stack_.rows() == 0) return lean;
+        const std::vector<double> source = fractions(stack_.layers[0]);
+        const std::vector<double> here = fractions(bottom_);
+        double length = 0.0;
+        for (const HalfEdge h : front_) length += mesh_.length(h);
+        for (std::size_t i = 1; i < columns_; ++i) {
+            const double height = std::max(stack_.height(mesh_, i), 1e-3 * length);
+            lean[i] = std::clamp(kEvenOut * (source[i] - here[i]) * length / height, -kMostLean, kMostLean);
+        }
+        return lean;
+    }
+
     /// Columns lean along the source by `shear_` heights per height: as the lines at the ends force the end columns to, and
-    /// towards the longer one of two neighbouring front edges; in between the lean fades over a third of the row, so that
+    /// towards even columns; in between the lean fades over a third of the row, so that
     /// columns that come together at one end are squeezed all alike.
     void plan_shear() {
-        std::vector<double> wanted(columns_ + 1, 0.0);
-        for (std::size_t i = 0; i <= columns_; ++i) {
-            if (is_end(i)) continue;
-            const double before = mesh_.length(into(i));
-            const double after = mesh_.length(front_[i < columns_ ? i : 0]);
-            wanted[i] = kEvenOut * (after - before) / (after + before);
-        }
+        const std::vector<double> wanted = lean_to_even_columns();
         spread(shear_, std::vector<double>(columns_ + 1, 0.0), reach());
         for (std::size_t i = 0; i <= columns_; ++i) {
             if (is_end(i)) continue;
