@@ -85,12 +85,9 @@ class Finish {
         collect_single();
         for (const Face f : single_) {
             if (mesh_.is_deleted(f) || !mesh_.is_triangle(f)) continue;
-            if (walk(f)) {
-                ++result_.walks;
-            } else {
-                ++result_.left;
-            }
+            if (walk(f)) ++result_.walks;
         }
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) result_.left += !mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i));
         return result_;
     }
 

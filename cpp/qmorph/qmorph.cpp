@@ -13,6 +13,7 @@
 #include "qmorph/quad_formation.h"
 #include "qmorph/seam.h"
 #include "qmorph/seed.h"
+#include "qmorph/sharp_corner.h"
 #include "qmorph/side_edge.h"
 
 namespace anisoquad {
@@ -40,6 +41,7 @@ class QMorph {
 
     QMorphResult run() {
         start_closed_components(mesh_);
+        result_.quads += fill_sharp_corners(mesh_);
         triangles_ = 0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             triangles_ += !mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i));

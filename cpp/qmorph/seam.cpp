@@ -88,8 +88,7 @@ SeamKind classify_seam(const SurfaceMesh& mesh, HalfEdge h) {
     const double bound = quads_at(mesh, mesh.to(h)) >= 5 ? kSeamAngleCrowded : kSeamAngle;
     if (angle < bound) {
         if (ratio <= kTransitionRatio) return is_free(mesh, p) || is_free(mesh, q) ? SeamKind::seam : SeamKind::none;
-        if (can_halve(mesh, longer, longer == h)) return SeamKind::transition_seam;
-        return is_free(mesh, p) || is_free(mesh, q) ? SeamKind::seam : SeamKind::none;
+        return can_halve(mesh, longer, longer == h) ? SeamKind::transition_seam : SeamKind::none;
     }
     const double size = 0.5 * (mesh.info(mesh.from(longer)).size + mesh.info(mesh.to(longer)).size);
     const bool step = ratio > kTransitionRatio || (size > 0.0 && std::max(l1, l2) > kLongEdge * size);
