@@ -81,7 +81,7 @@ class Pipeline {
         end();
 
         begin("fill", 0.26, 0.7);
-        const QMorphResult fill = fill_with_quads(mesh_, context_);
+        const QMorphResult fill = fill_with_quads(mesh_, &reference, context_);
         if (fill.left > 0) warn(std::to_string(fill.left) + " triangles are left");
         end();
         snapshot("fill", frame);

@@ -274,6 +274,11 @@ bool collect_region(const SurfaceMesh& mesh, std::span<const HalfEdge> loop, std
     const auto known = [&](Face f) { return std::find(faces.begin(), faces.end(), f) != faces.end(); };
     const Face first = mesh.face(loop[0]);
     if (!first.is_valid()) return false;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (mesh.from(loop[i]) == mesh.from(loop[k])) return false;  // the loop touches itself
+        }
+    }
     faces.push_back(first);
     std::size_t interior_halfedges = 0;
     static thread_local std::vector<Vertex> inner;

@@ -37,7 +37,7 @@ struct Waiting {
 
 class QMorph {
   public:
-    QMorph(SurfaceMesh& mesh, Context& context) : mesh_(mesh), context_(context) {}
+    QMorph(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context) : mesh_(mesh), reference_(reference), context_(context) {}
 
     QMorphResult run() {
         start_closed_components(mesh_);
@@ -129,7 +129,7 @@ class QMorph {
             const Face f = transition_seam(mesh_, h);
             if (f.is_valid()) {
                 ++result_.transitions;
-                smooth_around(mesh_, f);
+                smooth_around(mesh_, f, reference_, hint_);
                 for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level + 1);
                 return true;
             }
@@ -180,12 +180,14 @@ class QMorph {
                 s.tries = 0;
             }
         }
-        smooth_around(mesh_, f);
+        smooth_around(mesh_, f, reference_, hint_);
         for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level);
         return true;
     }
 
     SurfaceMesh& mesh_;
+    const ReferenceSurface* reference_;
+    std::int32_t hint_ = -1;
     Context& context_;
     QMorphResult result_;
     std::priority_queue<Waiting> queue_;
@@ -195,6 +197,8 @@ class QMorph {
 
 }  // namespace
 
-QMorphResult fill_with_quads(SurfaceMesh& mesh, Context& context) { return QMorph(mesh, context).run(); }
+QMorphResult fill_with_quads(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context) {
+    return QMorph(mesh, reference, context).run();
+}
 
 }  // namespace anisoquad

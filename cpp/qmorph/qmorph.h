@@ -4,6 +4,7 @@
 
 #include "context.h"
 #include "mesh/surface_mesh.h"
+#include "surface/reference_surface.h"
 
 namespace anisoquad {
 
@@ -23,6 +24,7 @@ struct QMorphResult {
 /// without any front start from the quad of their best pair of triangles.
 /// Edges of quads follow VertexInfo::size where it is known (qmorph/node_size.h).
 /// @pre every component of triangles has an even number of front edges (features/parity.h)
-QMorphResult fill_with_quads(SurfaceMesh& mesh, Context& context = no_context());
+/// @param reference surface to which smoothed nodes are brought back; null: they stay on the local fit (paper 2.1) only
+QMorphResult fill_with_quads(SurfaceMesh& mesh, const ReferenceSurface* reference = nullptr, Context& context = no_context());
 
 }  // namespace anisoquad

@@ -36,7 +36,7 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
 
 namespace {
 
-void smooth_node(SurfaceMesh& mesh, Vertex v) {
+void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t& hint) {
     if (!is_movable(mesh, v)) return;
     bool on_quad = false;
     bool on_triangle = false;
@@ -45,12 +45,12 @@ void smooth_node(SurfaceMesh& mesh, Vertex v) {
         (mesh.is_triangle(mesh.face(h)) ? on_triangle : on_quad) = true;
     }
     Point target;
-    if (on_quad && on_triangle ? front_node_target(mesh, v, target) : laplacian_target(mesh, v, target)) move_node(mesh, v, target);
+    if (on_quad && on_triangle ? front_node_target(mesh, v, target) : laplacian_target(mesh, v, target)) move_node(mesh, v, target, reference, &hint);
 }
 
 }  // namespace
 
-void smooth_around(SurfaceMesh& mesh, Face quad) {
+void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* reference, std::int32_t& hint) {
     static thread_local std::vector<Vertex> ring;
     ring.clear();
     std::array<Vertex, 4> nodes;
@@ -64,9 +64,9 @@ void smooth_around(SurfaceMesh& mesh, Face quad) {
             }
         }
     }
-    for (const Vertex v : nodes) smooth_node(mesh, v);
-    for (const Vertex v : ring) smooth_node(mesh, v);
-    for (const Vertex v : nodes) smooth_node(mesh, v);
+    for (const Vertex v : nodes) smooth_node(mesh, v, reference, hint);
+    for (const Vertex v : ring) smooth_node(mesh, v, reference, hint);
+    for (const Vertex v : nodes) smooth_node(mesh, v, reference, hint);
 }
 
 }  // namespace anisoquad

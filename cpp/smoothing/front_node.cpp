@@ -60,7 +60,7 @@ bool front_node_target(const SurfaceMesh& mesh, Vertex v, Point& target) {
     // The wanted size of the place, as far as it fits the quads beside the edge.
     const double mean = desired_length(mesh, h);
     const double size = mesh.info(v).size;
-    const double wanted = size > 0.0 ? std::clamp(size, 0.5 * mean, 2.0 * mean) : mean;
+    const double wanted = size > 0.0 ? std::clamp(size, 0.3 * mean, 2.0 * mean) : mean;
     const Vector3d by_length = wanted / length * isoparametric;
 
     // The front neighbours of the node, seen from the lower end.
