@@ -254,16 +254,17 @@ void collapse(SurfaceMesh& mesh, HalfEdge h) {
     for (const HalfEdge out : mesh.outgoing(a)) spokes.push_back(out);
     for (const HalfEdge out : spokes) mesh.set_from(out, b);
     const HalfEdge after_h = mesh.next(h);
-    const HalfEdge after_g = mesh.next(g);
+    const HalfEdge before_g = mesh.prev(g);
     mesh.link(mesh.prev(h), after_h);
-    mesh.link(mesh.prev(g), after_g);
+    mesh.link(before_g, mesh.next(g));
     if (mesh.face(h).is_valid()) mesh.set_halfedge(mesh.face(h), after_h);
-    if (mesh.face(g).is_valid()) mesh.set_halfedge(mesh.face(g), after_g);
+    if (mesh.face(g).is_valid()) mesh.set_halfedge(mesh.face(g), before_g);
     mesh.set_halfedge(b, after_h);
     mesh.remove(M::edge(h));
     mesh.remove(a);
     mesh.adjust_outgoing(b);
-    for (const HalfEdge side : {after_h, after_g}) {
+    // Of two edges that become one, the one that was at b already stays.
+    for (const HalfEdge side : {after_h, before_g}) {
         if (!mesh.is_deleted(side) && mesh.face(side).is_valid() && mesh.next(mesh.next(side)) == side) remove_two_gon(mesh, side);
     }
 }

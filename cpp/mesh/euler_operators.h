@@ -34,7 +34,7 @@ HalfEdge dissolve_vertex(SurfaceMesh& mesh, HalfEdge h);
 
 /// Link condition: collapsing from(h) into to(h) keeps the mesh manifold and of the same topology.
 bool is_collapse_ok(const SurfaceMesh& mesh, HalfEdge h);
-/// Merges from(h) into to(h), which keeps its place; triangles beside h vanish. @pre is_collapse_ok
+/// Merges from(h) into to(h), which keeps its place and its edges' handles; triangles beside h vanish. @pre is_collapse_ok
 void collapse(SurfaceMesh& mesh, HalfEdge h);
 
 /// The triangles inside a closed loop of half-edges (region on their left).

@@ -18,7 +18,7 @@ using M = SurfaceMesh;
 constexpr double kSeamAngle = std::numbers::pi / 6;
 constexpr double kSeamAngleCrowded = std::numbers::pi / 4;  // at a node that already has five quads
 constexpr double kTransitionRatio = 2.5;
-constexpr double kLongEdge = 2.2;      // over the wanted size: halved even without a step of length
+constexpr double kLongEdge = 1.75;      // over the wanted size: halved even without a step of length
 constexpr double kLeastHalved = 1.3;   // over the wanted size: shorter edges are never halved, so that no seam undoes a split
 
 int quads_at(const SurfaceMesh& mesh, Vertex v) {
