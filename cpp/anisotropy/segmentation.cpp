@@ -23,7 +23,7 @@ std::vector<int> segment_open(int edges, int ratio) {
 std::vector<int> segment_closed(int edges, int ratio) {
     int count = std::max(1, (edges + ratio / 2) / ratio);
     if (count % 2 != 0) count = count + 1 <= edges ? count + 1 : count - 1;
-    count = std::clamp(count, std::min(edges, 3), edges);
+    count = std::clamp(count, std::min(edges, 4), edges);
     std::vector<int> segments;
     for (int i = 0; i < count; ++i) segments.push_back((i + 1) * edges / count - i * edges / count);
     return segments;

@@ -71,7 +71,7 @@ bool close_six(SurfaceMesh& mesh, const std::array<HalfEdge, 6>& loop, const std
     const auto i = static_cast<std::size_t>(choice - 3);
     // A star of six spokes, of which every other one goes.
     const Vertex c = split_face(mesh, mesh.face(loop[0]), centre);
-    for (std::size_t k = i + 1; k < 6; k += 2) dissolve_edge(mesh, M::edge(mesh.find_halfedge(c, v[k])));
+    for (std::size_t k = i + 1; k < i + 7; k += 2) dissolve_edge(mesh, M::edge(mesh.find_halfedge(c, v[k % 6])));
     return true;
 }
 
