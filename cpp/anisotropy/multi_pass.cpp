@@ -16,6 +16,8 @@ namespace {
 using M = SurfaceMesh;
 constexpr double kLongestHeight = 1.6;  // of a row over the width of its columns, see RowLimits
 constexpr double kLaterHeight = 0.5;    // wanted height of later passes' rows over the length of their front edges
+constexpr double kFreeShare = 0.3;       // of the way to the next obstacle that the last pass leaves free
+constexpr double kFreeShareLater = 0.1;  // more for each later pass
 constexpr double kReserve = 3.0;        // heights that are left to each later pass
 constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
 constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
@@ -110,6 +112,7 @@ class MultiPass {
                 limits.growth = options_.row_growth;
                 limits.height_of_width = p > 0 ? kLaterHeight : 0.0;
                 const auto& passes = sources_[static_cast<std::size_t>(stacks_[i].source)].passes;
+                limits.free_share = kFreeShare + kFreeShareLater * static_cast<double>(passes.size() - p - 1);
                 limits.clearance = 1.9 + kReserve * static_cast<double>(passes.size() - p - 1);
                 active[i] = build_row(mesh_, stacks_[i], size_, reference_, limits);
                 context_.report(static_cast<double>(p) / 4.0);

@@ -27,7 +27,9 @@ constexpr double kSharpTurn = 0.5;           // radians by which the front turns
 constexpr double kLeastQuality = 0.25;      // scaled Jacobian of a row quad
 constexpr double kEvenOut = 0.15;            // share of a column's displacement along the row that one row takes back
 constexpr double kMostLean = 0.5;           // of a column for that, per height
-constexpr double kLeastGrowth = 1.02;       // rows never get thinner away from the source
+constexpr double kOverEnds = 1.25;           // height over that of the end columns, or the rows tilt
+constexpr double kLeastGrowthCapped = 1.01;
+constexpr double kLeastGrowth = 1.03;       // rows never get thinner away from the source
 constexpr std::int32_t kRowLine = 1 << 30;  // marks the edges of the row while it is built
 
 class RowBuilder {
@@ -170,21 +172,31 @@ class RowBuilder {
         }
     }
 
+    /// Height that the end columns get from the nodes of the lines they run along.
+    double smallest_end_height() const {
+        double height = 1e300;
+        for (const std::size_t i : {std::size_t{0}, columns_}) {
+            if (top_[i].is_valid()) height = std::min(height, (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]));
+        }
+        return height;
+    }
+
     bool plan_heights() {
         height_.assign(columns_ + 1, 0.0);
         std::vector<double> low(columns_ + 1, 0.0);
         std::vector<double> high(columns_ + 1, 0.0);
         std::int32_t hint = -1;
+        const double cap = kOverEnds * smallest_end_height();
         for (std::size_t i = 0; i <= columns_; ++i) {
             // The size where the row's middle will be, not where it starts.
             const double before = stack_.height(mesh_, i);
             const TraceEnd ahead = trace_geodesic(mesh_, into(i), angle_[i], before > 0.0 ? before : 1e-3 * mesh_.length(into(i)));
             const double local = size_(ahead.position, hint);
-            low[i] = before > 0.0 ? before * kLeastGrowth : 0.0;
+            low[i] = before > 0.0 ? before * (before > cap ? kLeastGrowthCapped : kLeastGrowth) : 0.0;
             high[i] = before > 0.0 ? before * limits_.growth : 1e300;
             const double width = 0.5 * (mesh_.length(front_[i > 0 ? i - 1 : 0]) + mesh_.length(front_[i < columns_ ? i : columns_ - 1]));
             const double least = limits_.height_of_width * width;
-            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]) : std::clamp(std::max(local, least), low[i], high[i]);
+            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]) : std::clamp(std::min(std::max(local, least), cap), low[i], high[i]);
         }
         // A column on a line has the height that the line's nodes give; the others lead over to it slowly, or the rows tilt.
         const std::vector<double> local = height_;
@@ -231,11 +243,21 @@ class RowBuilder {
 
     bool turns_sharply(std::size_t i) const { return std::abs(front_angle(mesh_, into(i)) - kPi) > kSharpTurn; }
 
+    /// Way along the column from the source.
+    double depth(std::size_t i) const {
+        if (stack_.rows() == 0) return 0.0;
+        double sum = 0.0;
+        for (std::size_t j = 1; j < stack_.layers.size(); ++j) sum += (at(stack_.layers[j][i]) - at(stack_.layers[j - 1][i])).norm();
+        return sum;
+    }
+
     /// Enough free surface ahead of every column.
     bool check_way() {
         for (std::size_t i = 0; i <= columns_; ++i) {
             if (top_[i].is_valid()) continue;
-            const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i) * limits_.clearance);
+            const double share = limits_.free_share / (1.0 - limits_.free_share);
+            const double needed = std::max(way(i) * limits_.clearance, share * (depth(i) + way(i)) + way(i));
+            const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], needed);
             // A line that the column meets at a flat angle runs beside the row, as those at its ends do: only the row itself counts.
             const bool ahead = end.incidence > kFacing || end.length < kAhead * way(i);
             if (end.blocked && ahead) return stop("a boundary, a feature line or another row is too close ahead");

@@ -10,6 +10,7 @@ struct RowLimits {
     int pass = 1;                ///< 1-based, written to the quads
     double longest_height = 2.0; ///< most height over the length of a front edge: beyond it the columns are too slim for the local size
     double clearance = 1.9;      ///< free way ahead that a row needs, in heights
+    double free_share = 0.3;     ///< share of the way from the source to what lies ahead that stays free of rows
     double height_of_width = 0.0;  ///< least wanted height over the length of the front's edges, as far as the growth allows
     double growth = 1.2;         ///< most height over that of the row below
 };
