@@ -15,18 +15,28 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
+Vector3d triangle_normal(const SurfaceMesh& mesh, Face f) {
+    const HalfEdge k = mesh.halfedge(f);
+    const Point& p = mesh.position(mesh.from(k));
+    return (mesh.position(mesh.to(k)) - p).cross(mesh.position(mesh.to(mesh.next(k))) - p);
+}
+
 Vector3d region_normal(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
     Vector3d normal = Vector3d::Zero();
-    for (const Face f : faces) {
-        const HalfEdge k = mesh.halfedge(f);
-        const Point& p = mesh.position(mesh.from(k));
-        normal += (mesh.position(mesh.to(k)) - p).cross(mesh.position(mesh.to(mesh.next(k))) - p);
-    }
+    for (const Face f : faces) normal += triangle_normal(mesh, f);
     return normal;
 }
 
+constexpr double kFlat = 0.5;     // length of a region's area vector over its area: below it no few quads can stand for it
 constexpr double kFolded = -0.3;  // what smoothing can still open
 constexpr double kDoubled = -2.0;  // a cut that would double an edge
+
+/// False for what only its loop is small of: all of a closed surface but one quad.
+bool is_flat(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
+    double area = 0.0;
+    for (const Face f : faces) area += triangle_normal(mesh, f).norm();
+    return region_normal(mesh, faces).norm() > kFlat * area;
+}
 
 /// Six edges: cut by one of three diagonals into two quads, or three spokes from a new node to every other node.
 bool close_six(SurfaceMesh& mesh, const std::array<HalfEdge, 6>& loop, const std::vector<Face>& faces) {
@@ -251,7 +261,7 @@ bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
             k = h;
             h = next_front(mesh, h);
         }
-        if (!collect_region(mesh, loop, faces)) return false;
+        if (!collect_region(mesh, loop, faces) || !is_flat(mesh, faces)) return false;
         const auto p = [&](std::size_t i) -> const Point& { return mesh.position(mesh.from(loop[i])); };
         const double q = scaled_jacobian(p(0), p(1), p(2), p(3), region_normal(mesh, faces));
         if (q < kFolded) return false;
@@ -264,7 +274,7 @@ bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
             k = h;
             h = next_front(mesh, h);
         }
-        return collect_region(mesh, loop, faces) && close_six(mesh, loop, faces);
+        return collect_region(mesh, loop, faces) && is_flat(mesh, faces) && close_six(mesh, loop, faces);
     }
     return false;
 }
