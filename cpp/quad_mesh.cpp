@@ -10,6 +10,7 @@
 #include "features/feature_lines.h"
 #include "features/parity.h"
 #include "features/patches.h"
+#include "features/reference_lines.h"
 #include "input/check.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
@@ -62,6 +63,7 @@ class Pipeline {
 
         begin("features", 0.02, 0.05);
         const std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        const ReferenceLines reference_lines(mesh_, lines);
         report().patches = find_patches(mesh_);
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
@@ -91,7 +93,7 @@ class Pipeline {
         end();
 
         begin("smoothing", 0.8, 0.95);
-        smooth_mesh(mesh_, reference, options_, context_);
+        smooth_mesh(mesh_, reference, options_, context_, reference_lines);
         end();
         snapshot("result", frame);
 

@@ -12,9 +12,15 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kSharp = 0.7;     // radians
+constexpr double kSharp = 0.8;     // radians
 constexpr double kBeyond = 0.3;    // way of the new node beyond the middle of U – L, over the length of U – L
 constexpr double kEvenSides = 2.5; // ratio of the corner's edges up to which they belong together
+
+/// A front edge on a line or on top of an anisotropic row: no seam may take it.
+bool is_fixed(const SurfaceMesh& mesh, HalfEdge h) {
+    const Face behind = mesh.face(M::twin(h));
+    return mesh.is_constrained(M::edge(h)) || (behind.is_valid() && mesh.info(behind).row > 0);
+}
 
 bool fill_corner(SurfaceMesh& mesh, HalfEdge h) {
     const HalfEdge following = next_front(mesh, h);
@@ -44,7 +50,7 @@ int fill_sharp_corners(SurfaceMesh& mesh) {
         const HalfEdge h(i);
         if (mesh.is_deleted(h) || !is_front(mesh, h) || front_angle(mesh, h) > kSharp) continue;
         const HalfEdge following = next_front(mesh, h);
-        if (!mesh.is_constrained(M::edge(h)) || !mesh.is_constrained(M::edge(following))) continue;
+        if (!is_fixed(mesh, h) || !is_fixed(mesh, following)) continue;
         const double ratio = mesh.length(h) / mesh.length(following);
         if (ratio > kEvenSides || ratio < 1.0 / kEvenSides) continue;
         filled += fill_corner(mesh, h);

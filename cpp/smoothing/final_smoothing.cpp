@@ -46,9 +46,10 @@ Statistics statistics(const SurfaceMesh& mesh) {
 
 class FinalSmoother {
   public:
-    FinalSmoother(SurfaceMesh& mesh, const ReferenceSurface& reference)
+    FinalSmoother(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines)
         : mesh_(mesh),
           reference_(reference),
+          lines_(lines),
           hint_(static_cast<std::size_t>(mesh.vertex_slots()), -1),
           awake_(static_cast<std::size_t>(mesh.vertex_slots()), 0) {}
 
@@ -72,7 +73,7 @@ class FinalSmoother {
     static std::size_t index(Vertex v) { return static_cast<std::size_t>(v.index()); }
 
     bool visit(Vertex v) {
-        if (mesh_.info(v).kind != NodeKind::interior) return slide_on_line(mesh_, v);
+        if (mesh_.info(v).kind != NodeKind::interior) return slide_on_line(mesh_, v) || (!lines_.empty() && slide_on_curve(mesh_, v, lines_));
         Star star;
         if (!star.gather(mesh_, v)) return false;
         const double worst = star.quality(star.centre()).worst;
@@ -118,6 +119,7 @@ class FinalSmoother {
 
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;
+    const ReferenceLines& lines_;
     std::vector<std::int32_t> hint_;   ///< facet of the reference surface near each node
     std::vector<std::int32_t> awake_;  ///< last sweep in which something near the node moved
 };
@@ -135,7 +137,8 @@ void release_nodes_without_rows(SurfaceMesh& mesh) {
 
 }  // namespace
 
-FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options, Context& context) {
+FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options,
+                                 Context& context, const ReferenceLines& lines) {
     FinalSmoothingResult result;
     Statistics last = statistics(mesh);
     result.min_before = last.min;
@@ -143,7 +146,7 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
     release_nodes_without_rows(mesh);
     if (options.smoothing_passes > 0) result.moves += smooth_rows(mesh, &reference).moved;
 
-    FinalSmoother smoother(mesh, reference);
+    FinalSmoother smoother(mesh, reference, lines);
     while (result.sweeps < options.smoothing_passes) {
         context.report(static_cast<double>(result.sweeps) / options.smoothing_passes);
         const int moves = smoother.sweep(++result.sweeps);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "context.h"
+#include "features/reference_lines.h"
 #include "mesh/surface_mesh.h"
 #include "options.h"
 #include "surface/reference_surface.h"
@@ -23,6 +24,6 @@ struct FinalSmoothingResult {
 /// their patch of the reference surface. Nodes on straight feature lines slide along them (slide_on_line()); corners stay.
 /// Triangles that are left are tolerated.
 FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options = {},
-                                 Context& context = no_context());
+                                 Context& context = no_context(), const ReferenceLines& lines = {});
 
 }  // namespace anisoquad

@@ -15,21 +15,28 @@ constexpr double kFirstStep = 0.1;
 constexpr double kSmallestStep = 1e-3;
 constexpr double kLeastGain = 1e-6;
 
-double score(const Star& star, const Point& p) { return star.quality(p).score(); }
+constexpr double kDeviation = 4e-5;  ///< of a line's edges from the input's line, in a frame where the model's diagonal is 1
 
-}  // namespace
-
-bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
+/// The neighbours of a node that may slide on its line.
+bool find_line_neighbours(const SurfaceMesh& mesh, Vertex v, std::array<Vertex, 2>& ends) {
     const VertexInfo& info = mesh.info(v);
     if (info.kind != NodeKind::line || info.in_row) return false;
-    std::array<Vertex, 2> ends;
     std::size_t count = 0;
     for (HalfEdge h : mesh.outgoing(v)) {
         if (!mesh.is_constrained(SurfaceMesh::edge(h))) continue;
         if (count == 2 || mesh.info(SurfaceMesh::edge(h)).source) return false;
         ends[count++] = mesh.to(h);
     }
-    if (count != 2) return false;
+    return count == 2;
+}
+
+double score(const Star& star, const Point& p) { return star.quality(p).score(); }
+
+}  // namespace
+
+bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
+    std::array<Vertex, 2> ends;
+    if (!find_line_neighbours(mesh, v, ends)) return false;
     const Point& a = mesh.position(ends[0]);
     const Vector3d chord = mesh.position(ends[1]) - a;
     const Vector3d offset = mesh.position(v) - a;
@@ -58,6 +65,51 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
     }
     if (t == start || best < before + kLeastGain) return false;
     mesh.position(v) = a + t * chord;
+    mesh.info(v).input = -1;
+    return true;
+}
+
+bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
+    std::array<Vertex, 2> ends;
+    if (!find_line_neighbours(mesh, v, ends)) return false;
+    Star star;
+    if (!star.gather(mesh, v)) return false;
+    star.use_face_normals();
+    const double worst = star.quality(star.centre()).worst;
+    if (worst >= Star::kPoor) return false;
+
+    // Places of the neighbours so that low < here < high, on a closed line past its first node if need be.
+    const std::int32_t line = mesh.info(v).line;
+    const double here = lines.closest(line, star.centre());
+    double low = lines.closest(line, mesh.position(ends[0]));
+    double high = lines.closest(line, mesh.position(ends[1]));
+    if (low > high) std::swap(low, high);
+    if (!(low < here && here < high)) {
+        if (!lines.is_closed(line)) return false;
+        const double length = lines.length(line);
+        if (here > high) std::swap(low, high), high += length;
+        if (here < low) std::swap(low, high), low -= length;
+        if (!(low < here && here < high)) return false;
+    }
+    const double margin = kMargin * (high - low);
+    double best = score(star, star.centre());
+    const double before = best;
+    double place = here;
+    for (double step = kFirstStep * (high - low); step >= kSmallestStep * (high - low);) {
+        double found = place;
+        for (const double trial : {place - step, place + step}) {
+            if (trial < low + margin || trial > high - margin) continue;
+            const double s = score(star, lines.at(line, trial));
+            if (s <= best || star.quality(lines.at(line, trial)).worst < worst) continue;
+            if (lines.deviation(line, low, trial) > kDeviation || lines.deviation(line, trial, high) > kDeviation) continue;
+            best = s;
+            found = trial;
+        }
+        if (found == place) step *= 0.5;
+        place = found;
+    }
+    if (place == here || best < before + kLeastGain) return false;
+    mesh.position(v) = lines.at(line, place);
     mesh.info(v).input = -1;
     return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "features/reference_lines.h"
 #include "mesh/surface_mesh.h"
 
 namespace anisoquad {
@@ -9,5 +10,10 @@ namespace anisoquad {
 /// exactly; the node stays between its neighbours. Corners and nodes of anisotropic rows stay.
 /// @returns true if the node was moved
 bool slide_on_line(SurfaceMesh& mesh, Vertex v);
+
+/// The same on a curved line, along the input's line, for nodes at poor elements (a wing's cap, where the nodes of the upper and
+/// the lower line do not face each other). The edges beside the node stay within 4e-5 of the model's size of the line.
+/// @param lines in the mesh's frame, in which the model's diagonal is 1
+bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines);
 
 }  // namespace anisoquad
