@@ -1,19 +1,23 @@
 #include "cleanup/cleanup.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
 #include <vector>
 
 #include "cleanup/patterns.h"
 #include "cleanup/region_growth.h"
 #include "cleanup/trial.h"
+#include "quality/metrics.h"
 
 namespace anisoquad {
 namespace {
 
-using M = SurfaceMesh;
-
-constexpr double kBound = 0.4;  ///< scaled Jacobian that the worst element round a change must have if it was better before
+constexpr int kRounds = 4;                ///< in which regions grow from all nodes round which something changed
+constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular node: none takes forever on a hopeless mesh
+constexpr std::size_t kLeastTries = 500;
+constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
+constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 
 std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
     std::int32_t n = 0;
@@ -32,95 +36,117 @@ class Cleaner {
 
     std::int32_t run() {
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) push(Vertex(i));
+        most_tries_ = kLeastTries + kTriesPerNode * queue_.size();
         work_off();
-        std::vector<Vertex> seeds;
-        for (int round = 0; round < 6; ++round) {
-            const std::int32_t before = operations_;
-            seeds.clear();
-            for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
-                if (is_irregular(Vertex(i))) seeds.push_back(Vertex(i));
-            }
-            Region region;
-            for (const Vertex v : seeds) {
-                if (!is_irregular(v) || !growth_.improve(v, {}, region)) continue;
-                ++operations_;
-                requeue(region);
-                work_off();
-            }
-            if (operations_ == before) break;
-        }
+        for (int round = 0; round < kRounds && grow_regions(); ++round) context_.report((round + 1.0) / (kRounds + 1.0));
+        repair();
         return operations_;
     }
 
   private:
-    bool is_irregular(Vertex v) const { return !mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid() && trial_.sectors().cost(mesh_, v) > 0; }
-
-    void work_off() {
-        const std::size_t limit = 20 * queue_.size() + 100;
-        for (std::size_t done = 0; !queue_.empty() && done < limit; ++done) {
-            if (done % 256 == 0) context_.report(static_cast<double>(done) / static_cast<double>(done + queue_.size()));
-            const Vertex v = queue_.front();
-            queue_.pop();
-            queued_[static_cast<std::size_t>(v.index())] = 0;
-            if (!mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid()) visit(v);
-        }
-    }
+    bool is_in_use(Vertex v) const { return !mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid(); }
+    bool is_irregular(Vertex v) const { return is_in_use(v) && trial_.sectors().cost(mesh_, v) > 0; }
+    bool may_try() const { return trial_.tries() < most_tries_; }
 
     void push(Vertex v) {
         const auto i = static_cast<std::size_t>(v.index());
-        if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || trial_.sectors().cost(mesh_, v) == 0) return;
-        if (queued_.size() <= i) queued_.resize(i + 1, 0);
-        if (queued_[i]) return;
+        if (queued_.size() <= i) queued_.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        if (queued_[i] || !is_irregular(v)) return;
         queued_[i] = 1;
         queue_.push(v);
     }
 
-    void visit(Vertex v) {
-        if (trial_.sectors().cost(mesh_, v) == 0) return;
+    /// Local patterns, until none is left.
+    void work_off() {
+        for (; !queue_.empty(); queue_.pop()) {
+            const Vertex v = queue_.front();
+            queued_[static_cast<std::size_t>(v.index())] = 0;
+            if (!may_try() || !is_irregular(v)) continue;
+            find_proposals(v, 1);
+            apply_best({});
+        }
+    }
+
+    /// @returns true if a region was replaced
+    bool grow_regions() {
+        bool replaced = false;
+        Region region;
+        const std::int32_t start = operations_;
+        for (std::int32_t i = 0; i < mesh_.vertex_slots() && may_try(); ++i) {
+            const Vertex v(i);
+            if (!is_irregular(v) || last_change(v) < last_round_) continue;
+            if (!growth_.improve(v, {}, region)) continue;
+            note_change(region);
+            work_off();
+            replaced = true;
+        }
+        last_round_ = start;
+        return replaced;
+    }
+
+    /// Poor quads, with what does not make the mesh more irregular.
+    void repair() {
+        for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) {
+            const Face f(i);
+            if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0 || scaled_jacobian(mesh_, f) > kPoor) continue;
+            proposals_.clear();
+            std::array<Vertex, 4> nodes;
+            std::size_t k = 0;
+            for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
+            for (const Vertex v : nodes) {
+                find_proposals(v, kRepair.gain);
+                if (apply_best(kRepair)) break;
+            }
+        }
+        work_off();
+    }
+
+    void find_proposals(Vertex v, int least_gain) {
         proposals_.clear();
         propose_doublet(mesh_, v, proposals_);
-        if (proposals_.empty()) {
-            propose_face_collapse(mesh_, v, proposals_);
-            for (const HalfEdge h : mesh_.outgoing(v)) {
-                if (!mesh_.is_boundary(h)) collapse_into(h);
-            }
-            propose_edge_rotation(mesh_, v, proposals_);
-            propose_vertex_split(mesh_, v, proposals_);
+        propose_face_collapse(mesh_, v, proposals_);
+        for (const HalfEdge h : mesh_.outgoing(v)) {
+            if (!mesh_.is_boundary(h)) propose_collapse_of(mesh_, mesh_.next(mesh_.next(h)), proposals_);
         }
+        propose_edge_rotation(mesh_, v, proposals_);
+        propose_vertex_split(mesh_, v, proposals_);
         order_.clear();
         for (std::size_t i = 0; i < proposals_.size(); ++i) {
             Proposal& p = proposals_[i];
             Region region{p.faces, {}, {}};
             if (!trial_.editor().find_outline(region) || !trial_.editor().is_possible(region, p.replacement)) continue;
             p.gain = trial_.gain(region, p.replacement);
-            if (p.gain > 0) order_.push_back(i);
+            if (p.gain >= least_gain) order_.push_back(i);
         }
-        std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return proposals_[a].gain > proposals_[b].gain; });
+        std::stable_sort(order_.begin(), order_.end(),
+                         [&](std::size_t a, std::size_t b) { return proposals_[a].gain > proposals_[b].gain; });
+    }
+
+    bool apply_best(const Trial::Demands& demands) {
         for (const std::size_t i : order_) {
             Region region{proposals_[i].faces, {}, {}};
-            if (!trial_.attempt(region, proposals_[i].replacement, 1, kBound)) continue;
-            ++operations_;
-            requeue(region);
-            return;
+            if (!trial_.attempt(region, proposals_[i].replacement, demands)) continue;
+            note_change(region);
+            return true;
         }
+        return false;
     }
 
-    /// Also the collapse that moves the opposite node of a quad into this one.
-    void collapse_into(HalfEdge h) {
-        const Vertex v = mesh_.from(h);
-        const std::size_t first = proposals_.size();
-        propose_face_collapse(mesh_, mesh_.to(mesh_.next(h)), proposals_);
-        const auto other = [&](const Proposal& p) { return p.faces[0] != mesh_.face(h); };
-        proposals_.erase(std::remove_if(proposals_.begin() + static_cast<std::ptrdiff_t>(first), proposals_.end(), other), proposals_.end());
-        static_cast<void>(v);
+    std::int32_t last_change(Vertex v) const {
+        const auto i = static_cast<std::size_t>(v.index());
+        return i < changed_.size() ? changed_[i] : 0;
     }
 
-    void requeue(const Region& region) {
+    void note_change(const Region& region) {
+        ++operations_;
+        changed_.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
         for (const Face f : region.faces) {
             for (const HalfEdge h : mesh_.halfedges(f)) {
                 for (const HalfEdge k : mesh_.outgoing(mesh_.from(h))) {
-                    push(mesh_.from(k));
-                    push(mesh_.to(k));
+                    for (const Vertex v : {mesh_.from(k), mesh_.to(k)}) {
+                        changed_[static_cast<std::size_t>(v.index())] = operations_;
+                        push(v);
+                    }
                 }
             }
         }
@@ -133,8 +159,11 @@ class Cleaner {
     RegionGrowth growth_;
     std::queue<Vertex> queue_;
     std::vector<char> queued_;
+    std::vector<std::int32_t> changed_;  ///< per node: number of the last operation near it
+    std::int32_t last_round_ = 0;        ///< number of the operation before the last round
+    std::size_t most_tries_ = 0;
     std::vector<Proposal> proposals_;
-    std::vector<std::size_t> order_;
+    std::vector<std::size_t> order_;  ///< of those that gain enough, best first
     std::int32_t operations_ = 0;
 };
 

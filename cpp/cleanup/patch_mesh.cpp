@@ -99,8 +99,8 @@ class PatchMesher {
             const std::size_t last = (i + n - 1) % n;
             // The block at corner i, from the foot on the side before it.
             const auto foot = static_cast<int>(arms[(last + n - 1) % n]);
-            fill_grid({part(sides[last], foot, static_cast<int>(sides[last].size()) - 1),
-                       part(sides[i], 0, arms[last]), arm_lines[i], reversed(arm_lines[last])});
+            fill_grid({part(sides[last], foot, static_cast<int>(sides[last].size()) - 1), part(sides[i], 0, arms[last]),
+                       arm_lines[i], reversed(arm_lines[last])});
         }
     }
 
@@ -158,7 +158,8 @@ class PatchMesher {
 
 }  // namespace
 
-Replacement mesh_patch(const SurfaceMesh& mesh, PatchPlanner& planner, std::vector<std::vector<Vertex>> sides, int budget, double size) {
+Replacement mesh_patch(const SurfaceMesh& mesh, PatchPlanner& planner, std::vector<std::vector<Vertex>> sides, int budget,
+                       double size) {
     PatchMesher mesher(mesh, planner, size);
     mesher.fill(sides, budget);
     return mesher.take();

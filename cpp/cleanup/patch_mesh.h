@@ -10,6 +10,7 @@ namespace anisoquad {
 /// The quads of a planned patch.
 /// @param sides nodes of each side from corner to corner, counter-clockwise, both corners included
 /// @param size VertexInfo::size of the new nodes
-Replacement mesh_patch(const SurfaceMesh& mesh, PatchPlanner& planner, std::vector<std::vector<Vertex>> sides, int budget, double size);
+Replacement mesh_patch(const SurfaceMesh& mesh, PatchPlanner& planner, std::vector<std::vector<Vertex>> sides, int budget,
+                       double size);
 
 }  // namespace anisoquad

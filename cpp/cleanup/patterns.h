@@ -5,8 +5,8 @@
 #include "cleanup/region.h"
 #include "cleanup/sectors.h"
 
-/// The classical local patterns (@cite canann1998topological, @cite kinney1997cleanup, @cite anderson2009cleanup): each function adds what
-/// can be done round one node that lowers the irregularity by its own count of edges; Trial decides.
+/// The classical local patterns (@cite canann1998topological, @cite kinney1997cleanup, @cite anderson2009cleanup): each function
+/// adds what can be done round one node; Trial decides.
 namespace anisoquad {
 
 struct Proposal {
@@ -20,6 +20,8 @@ void propose_doublet(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& o
 
 /// The quads round v with one of them collapsed: v is merged into the opposite node of that quad.
 void propose_face_collapse(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
+/// The same for face(h) only, from(h) being merged.
+void propose_collapse_of(const SurfaceMesh& mesh, HalfEdge h, std::vector<Proposal>& out);
 
 /// The edges at v and opposite v in its quads: each is turned either way in the hexagon of its two quads.
 void propose_edge_rotation(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);

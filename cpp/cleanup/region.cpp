@@ -66,7 +66,8 @@ Replacement RegionEditor::current(const Region& region) const {
         std::size_t k = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) {
             const auto at = std::find(region.inner.begin(), region.inner.end(), mesh_.from(h));
-            quad[k++] = at == region.inner.end() ? mesh_.from(h) : Replacement::new_node(static_cast<std::size_t>(at - region.inner.begin()));
+            quad[k++] = at == region.inner.end() ? mesh_.from(h)
+                                                 : Replacement::new_node(static_cast<std::size_t>(at - region.inner.begin()));
         }
     }
     return result;
@@ -124,7 +125,8 @@ void RegionEditor::replace(Region& region, const Replacement& replacement) {
     for (const Face f : region.faces) {
         for (const HalfEdge h : mesh_.halfedges(f)) {
             // Both halves of an inner edge lie inside.
-            if (h.index() % 2 == 0 && std::find(region.loop.begin(), region.loop.end(), h) == region.loop.end()) edges.push_back(M::edge(h));
+            if (h.index() % 2 == 0 && std::find(region.loop.begin(), region.loop.end(), h) == region.loop.end())
+                edges.push_back(M::edge(h));
         }
     }
     // Slots are reused last in, first out: backwards, so that undoing gives faces and nodes their handles back.

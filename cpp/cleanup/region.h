@@ -49,7 +49,9 @@ class Marks {
         return true;
     }
     template <class Tag>
-    bool has(Handle<Tag> h) const { return stamp_[static_cast<std::size_t>(h.index())] == current_; }
+    bool has(Handle<Tag> h) const {
+        return stamp_[static_cast<std::size_t>(h.index())] == current_;
+    }
 
   private:
     std::vector<std::uint32_t> stamp_;

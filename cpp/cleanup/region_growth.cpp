@@ -91,7 +91,7 @@ bool RegionGrowth::grow_to_next(Region& region, const Limits& limits) {
     return false;
 }
 
-bool RegionGrowth::try_patch(Region& region, const Limits& limits) {
+bool RegionGrowth::try_patch(Region& region) {
     const SurfaceMesh& mesh = trial_.mesh();
     const std::size_t n = region.loop.size();
     std::vector<std::size_t> corners;
@@ -109,7 +109,7 @@ bool RegionGrowth::try_patch(Region& region, const Limits& limits) {
     }
     const int sides = static_cast<int>(corners.size());
     if (sides < 2 || sides > kMostSides) return false;
-    for (const Vertex v : region.inner) cost += irregularity(mesh.valence(v), 4);
+    for (const Vertex v : region.inner) cost += irregularity(mesh.valence(v));
     const int budget = std::min(cost - least - 1, 3);
     if (budget < std::abs(sides - 4)) return false;
     Sides counts;
@@ -128,10 +128,11 @@ bool RegionGrowth::try_patch(Region& region, const Limits& limits) {
     }
     if (!planner_.plan(counts, budget).is_possible()) return false;
     const Replacement patch = mesh_patch(mesh, planner_, lines, budget, size / static_cast<double>(n));
-    return trial_.attempt(region, patch, 1, limits.bound);
+    return trial_.attempt(region, patch, {});
 }
 
-bool RegionGrowth::improve(Vertex seed, const Limits& limits, Region& region) {
+/// The faces of the irregular sector of the seed.
+bool RegionGrowth::begin(Vertex seed, Region& region) {
     const SurfaceMesh& mesh = trial_.mesh();
     faces_.clear(mesh.face_slots());
     region.faces.clear();
@@ -139,13 +140,26 @@ bool RegionGrowth::improve(Vertex seed, const Limits& limits, Region& region) {
         if (mesh.is_boundary(h) || mesh.info(mesh.face(h)).row > 0) continue;
         if (trial_.sectors().count(mesh, h).cost() == 0) continue;
         add_faces_at(h, region);
-        break;
+        return true;
     }
-    if (region.faces.empty()) return false;
-    for (int step = 0; step < limits.steps; ++step) {
-        if (!make_convex(region, limits)) return false;
-        if (try_patch(region, limits)) return true;
-        if (!trial_.editor().find_outline(region) || !grow_to_next(region, limits)) return false;
+    return false;
+}
+
+void RegionGrowth::add_ring(Region& region) {
+    for (const HalfEdge h : region.loop) add_faces_at(h, region);
+}
+
+bool RegionGrowth::improve(Vertex seed, const Limits& limits, Region& region) {
+    if (!begin(seed, region)) return false;
+    for (int step = 0; step < limits.steps && make_convex(region, limits); ++step) {
+        if (try_patch(region)) return true;
+        if (!trial_.editor().find_outline(region) || !grow_to_next(region, limits)) break;
+    }
+    begin(seed, region);
+    for (int ring = 0; ring < limits.rings && make_convex(region, limits); ++ring) {
+        if (try_patch(region)) return true;
+        if (!trial_.editor().find_outline(region)) break;
+        add_ring(region);
     }
     return false;
 }

@@ -7,15 +7,15 @@
 
 namespace anisoquad {
 
-/// Replaces regions with several irregular nodes by patches with fewer (@cite verma2017regularization): from an irregular node the
-/// region grows to the nearest other ones, and is made convex on the way, until a patch with as many corners as the outline has
-/// is less irregular.
+/// Replaces regions with several irregular nodes by patches with fewer (@cite verma2017regularization): from an irregular node
+/// the region grows to the nearest other ones, and is made convex on the way, until a patch with as many corners as the outline
+/// has is less irregular.
 class RegionGrowth {
   public:
     struct Limits {
         std::size_t faces = 250;
-        int steps = 10;        ///< irregular nodes that are added one after the other
-        double bound = 0.4;    ///< see Trial::attempt()
+        int steps = 10;  ///< irregular nodes that are added one after the other
+        int rings = 6;   ///< rings of quads that are added round the seed, if that fails
     };
 
     explicit RegionGrowth(Trial& trial, PatchPlanner& planner) : trial_(trial), planner_(planner) {}
@@ -24,9 +24,11 @@ class RegionGrowth {
     bool improve(Vertex seed, const Limits& limits, Region& region);
 
   private:
+    bool begin(Vertex seed, Region& region);
+    void add_ring(Region& region);
     bool grow_to_next(Region& region, const Limits& limits);
     bool make_convex(Region& region, const Limits& limits);
-    bool try_patch(Region& region, const Limits& limits);
+    bool try_patch(Region& region);
     /// How many quads of the region belong at the outline's i-th node: 1 corner, 2 side, 3 and more: not convex.
     int wanted_inside(const Region& region, std::size_t i) const;
     void add_faces_at(HalfEdge h, Region& region);

@@ -11,6 +11,9 @@ namespace {
 using M = SurfaceMesh;
 using std::numbers::pi;
 
+constexpr double kStraight = 0.85 * pi;  ///< a quad's corner above this is as good as none
+constexpr int kStraightCost = 1;
+
 /// Corner of face(h) at from(h), −π/4…7π/4: slightly folded corners are negative, reflex ones above π.
 double corner_angle(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& normal) {
     const Point& p = mesh.position(mesh.from(h));
@@ -33,7 +36,7 @@ Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const ReferenceSurfac
 }  // namespace
 
 Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
-    : ideal_(static_cast<std::size_t>(mesh.halfedge_slots()), 0) {
+    : angle_(static_cast<std::size_t>(mesh.halfedge_slots()), 0.0F) {
     for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
         const HalfEdge start(i);
         if (mesh.is_deleted(start) || mesh.is_boundary(start) || mesh.info(mesh.face(start)).row > 0) continue;
@@ -44,8 +47,14 @@ Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
             angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), reference));
             h = mesh.rotated_ccw(h);
         } while (!is_fixed(mesh, M::edge(h)));
-        ideal_[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::clamp(std::lround(angle / (0.5 * pi)), 1L, 8L));
+        angle_[static_cast<std::size_t>(i)] = static_cast<float>(std::max(angle, 1e-3));
     }
+}
+
+int Sectors::Count::cost() const {
+    if (angle == 0.0F) return irregularity(quads);
+    const int d = std::abs(quads - ideal);
+    return d * (d + 1) / 2 + (angle / static_cast<float>(quads) > kStraight ? kStraightCost : 0);
 }
 
 Sectors::Count Sectors::count(const SurfaceMesh& mesh, HalfEdge h) const {
@@ -56,7 +65,8 @@ Sectors::Count Sectors::count(const SurfaceMesh& mesh, HalfEdge h) const {
         ++result.quads;
         if (start == h) return result;
     }
-    result.ideal = ideal_[static_cast<std::size_t>(start.index())];
+    result.angle = angle_[static_cast<std::size_t>(start.index())];
+    result.ideal = std::max(1, static_cast<int>(std::lround(result.angle / (0.5 * pi))));
     result.quads = 0;
     h = start;
     do {

@@ -14,10 +14,10 @@ inline bool is_fixed(const SurfaceMesh& mesh, Edge e) {
     return mesh.info(mesh.face(SurfaceMesh::halfedge(e, 0))).row > 0 || mesh.info(mesh.face(SurfaceMesh::halfedge(e, 1))).row > 0;
 }
 
-/// What a node costs that has `quads` quads instead of `ideal`: 1, 3, 6, …; a node with only two edges is a doublet and worse.
-constexpr int irregularity(int quads, int ideal) {
-    const int d = quads < ideal ? ideal - quads : quads - ideal;
-    return d * (d + 1) / 2 + (ideal == 4 && quads == 2 ? 2 : 0);
+/// What a node inside a patch costs: 1, 3, 6, … for 1, 2, 3, … quads more or less than four; a doublet costs 5.
+constexpr int irregularity(int quads) {
+    const int d = quads < 4 ? 4 - quads : quads - 4;
+    return d * (d + 1) / 2 + (quads == 2 ? 2 : 0);
 }
 
 /// How many quads belong round a node. The fixed edges divide its neighbourhood into sectors, and a sector of angle φ takes
@@ -30,7 +30,10 @@ class Sectors {
     struct Count {
         int quads = 0;
         int ideal = 4;
-        int cost() const { return irregularity(quads, ideal); }
+        float angle = 0.0F;  ///< of the sector; 0: the whole neighbourhood of a node without fixed edges
+
+        /// As irregularity(), and more where two edges of a quad lie almost on one line, since nothing can smooth that away.
+        int cost() const;
     };
     /// The sector of from(h) that holds face(h). @pre the face exists and is in no row
     Count count(const SurfaceMesh& mesh, HalfEdge h) const;
@@ -38,7 +41,7 @@ class Sectors {
     int cost(const SurfaceMesh& mesh, Vertex v) const;
 
   private:
-    std::vector<std::int8_t> ideal_;  ///< per half-edge: of the sector that it begins, counter-clockwise; 0 = none
+    std::vector<float> angle_;  ///< per half-edge: of the sector that it begins, counter-clockwise; 0 = none
 };
 
 }  // namespace anisoquad

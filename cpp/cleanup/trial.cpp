@@ -13,10 +13,14 @@ namespace {
 
 using M = SurfaceMesh;
 
-constexpr int kMeanSweeps = 4;          ///< plain averaging of the new nodes, which untangles convex outlines
+constexpr int kMeanSweeps = 10;         ///< plain averaging of the new nodes, which untangles convex outlines
 constexpr int kSweeps = 3;              ///< guarded
 constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node's place is optimised
-constexpr double kLongestAspect = 3.5;  ///< stretched quads pass if there were such before
+constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
+constexpr double kMeanLoss = 0.03;      ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
+constexpr double kDistance = 5e-4;      ///< from the surface, over its diagonal, that passes in any case
+constexpr double kCountChange = 0.1;    ///< share of the quads that may come or go, so that sizes are kept
+constexpr double kAlwaysChange = 2.0;   ///< quads that may
 
 }  // namespace
 
@@ -30,8 +34,8 @@ int Trial::gain(const Region& region, const Replacement& replacement) const {
         return n;
     };
     int gain = 0;
-    for (const Vertex v : region.inner) gain += irregularity(mesh_.valence(v), 4);
-    for (std::size_t k = 0; k < replacement.nodes.size(); ++k) gain -= irregularity(uses(Replacement::new_node(k)), 4);
+    for (const Vertex v : region.inner) gain += irregularity(mesh_.valence(v));
+    for (std::size_t k = 0; k < replacement.nodes.size(); ++k) gain -= irregularity(uses(Replacement::new_node(k)));
     const std::size_t n = region.loop.size();
     for (std::size_t i = 0; i < n; ++i) {
         const HalfEdge h = region.loop[i];
@@ -46,22 +50,35 @@ int Trial::gain(const Region& region, const Replacement& replacement) const {
     return gain;
 }
 
-double Trial::scaled_jacobian_on_surface(Face f) const {
-    std::array<Point, 4> p;
-    std::size_t k = 0;
-    for (const HalfEdge h : mesh_.halfedges(f)) p[k++] = mesh_.position(mesh_.from(h));
-    const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
-    const SurfacePoint at = reference_.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), mesh_.info(f).patch);
-    return (p[2] - p[0]).cross(p[3] - p[1]).dot(at.normal) > 0.0 ? q : -std::abs(q);
-}
-
 Trial::Quality Trial::quality(std::span<const Face> faces) const {
     Quality result;
+    result.mean = 0.0;
+    std::array<Point, 4> p;
     for (const Face f : faces) {
-        result.worst = std::min(result.worst, scaled_jacobian_on_surface(f));
-        result.aspect = std::max(result.aspect, aspect_ratio(mesh_, f));
+        std::size_t k = 0;
+        for (const HalfEdge h : mesh_.halfedges(f)) p[k++] = mesh_.position(mesh_.from(h));
+        const std::int32_t patch = mesh_.info(f).patch;
+        const SurfacePoint middle = reference_.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), patch);
+        const bool upright = (p[2] - p[0]).cross(p[3] - p[1]).dot(middle.normal) > 0.0;
+        const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
+        result.worst = std::min(result.worst, upright ? q : -std::abs(q));
+        result.mean += q / static_cast<double>(faces.size());
+        result.aspect = std::max(result.aspect, aspect_ratio(p[0], p[1], p[2], p[3]));
+        result.distance = std::max(result.distance, middle.distance);
+        for (const HalfEdge h : mesh_.halfedges(f)) {
+            if (h.index() % 2 != 0) continue;  // inner edges once
+            const Point m = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+            result.distance = std::max(result.distance, reference_.closest(m, patch, middle.facet).distance);
+        }
     }
     return result;
+}
+
+bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
+    if (demands.improvement > 0.0 && after.worst < before.worst + demands.improvement) return false;
+    return after.worst >= std::min(before.worst, demands.bound) && after.aspect <= std::max(before.aspect, kLongestAspect) &&
+           after.mean >= before.mean - kMeanLoss &&
+           after.distance <= std::max(before.distance, kDistance * reference_.diagonal());
 }
 
 void Trial::gather_neighbourhood(const Region& region, std::vector<Face>& faces) {
@@ -82,7 +99,6 @@ void Trial::smooth(const Region& region) {
     for (int i = 0; i < kMeanSweeps; ++i) {
         for (const Vertex v : region.inner) {
             if (!laplacian_target(mesh_, v, target)) continue;
-            hint = -1;
             mesh_.position(v) = reference_.project(target, mesh_.info(region.faces[0]).patch, hint);
         }
     }
@@ -97,9 +113,11 @@ void Trial::smooth(const Region& region) {
     }
 }
 
-bool Trial::attempt(Region& region, const Replacement& replacement, int least_gain, double bound) {
+bool Trial::attempt(Region& region, const Replacement& replacement, const Demands& demands) {
     if (!editor_.find_outline(region) || !editor_.is_possible(region, replacement)) return false;
-    if (gain(region, replacement) < least_gain) return false;
+    if (gain(region, replacement) < demands.gain) return false;
+    const auto quads = static_cast<double>(region.faces.size());
+    if (std::abs(static_cast<double>(replacement.quads.size()) - quads) > kAlwaysChange + kCountChange * quads) return false;
     gather_neighbourhood(region, faces_);
     const Quality before = quality(faces_);
     const Replacement back = editor_.current(region);
@@ -108,11 +126,12 @@ bool Trial::attempt(Region& region, const Replacement& replacement, int least_ga
         const Vertex v = mesh_.from(h);
         places_.push_back({v, {mesh_.position(v), mesh_.info(v)}});
     }
+    ++tries_;
     editor_.replace(region, replacement);
     smooth(region);
     gather_neighbourhood(region, faces_);
     const Quality after = quality(faces_);
-    if (after.worst >= std::min(before.worst, bound) && after.aspect <= std::max(before.aspect, kLongestAspect)) return true;
+    if (is_acceptable(before, after, demands)) return true;
     for (const auto& [v, node] : places_) {
         mesh_.position(v) = node.place;
         mesh_.info(v) = node.info;

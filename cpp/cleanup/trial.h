@@ -11,26 +11,37 @@ namespace anisoquad {
 /// Tries replacements: counts what they gain, makes them, smooths round them, and takes them back where elements get too poor.
 class Trial {
   public:
+    struct Demands {
+        int gain = 1;              ///< least fall of the irregularity
+        double bound = 0.4;        ///< scaled Jacobian: the worst element may fall to it
+        double improvement = 0.0;  ///< > 0: the worst element must get better by this
+    };
+
     Trial(SurfaceMesh& mesh, const ReferenceSurface& reference);
 
     /// What the irregularity (Sectors) of the region's nodes would fall by.
     int gain(const Region& region, const Replacement& replacement) const;
 
-    /// Makes the replacement if it gains at least `least_gain` and the worst element, after smoothing, is not below the lower of
-    /// what it was and `bound`. @param region its faces; the rest is filled in; afterwards the new quads
-    bool attempt(Region& region, const Replacement& replacement, int least_gain, double bound);
+    /// Makes the replacement, smooths, and takes it back if the demands are not met, if sizes or the distance from the surface
+    /// change too much or quads get stretched.
+    /// @param region its faces; the rest is filled in; afterwards the new quads, or the old ones with their old handles
+    bool attempt(Region& region, const Replacement& replacement, const Demands& demands);
 
+    /// Number of replacements that were made, also those taken back.
+    std::size_t tries() const { return tries_; }
     const Sectors& sectors() const { return sectors_; }
     RegionEditor& editor() { return editor_; }
     const SurfaceMesh& mesh() const { return mesh_; }
 
   private:
     struct Quality {
-        double worst = 1.0;    ///< scaled Jacobian, negative where turned over
-        double aspect = 1.0;   ///< largest ratio of longest to shortest edge
+        double worst = 1.0;     ///< scaled Jacobian, negative where turned over
+        double mean = 1.0;      ///< of the scaled Jacobian
+        double aspect = 1.0;    ///< largest ratio of longest to shortest edge
+        double distance = 0.0;  ///< of the quads' middles and edges from the surface
     };
     Quality quality(std::span<const Face> faces) const;
-    double scaled_jacobian_on_surface(Face f) const;
+    bool is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const;
     /// The region's faces and those round the nodes of its outline.
     void gather_neighbourhood(const Region& region, std::vector<Face>& faces);
     void smooth(const Region& region);
@@ -40,6 +51,7 @@ class Trial {
     Sectors sectors_;
     RegionEditor editor_;
     Marks marks_;
+    std::size_t tries_ = 0;
     std::vector<Face> faces_;
     std::vector<std::pair<Vertex, Replacement::Node>> places_;  ///< of nodes that smoothing may move, from before
 };

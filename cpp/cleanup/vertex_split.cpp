@@ -26,7 +26,8 @@ void propose_vertex_split(const SurfaceMesh& mesh, Vertex v, std::vector<Proposa
                 const bool between = k >= i && k < j;
                 const HalfEdge s = spokes[k];
                 p.faces.push_back(mesh.face(s));
-                p.replacement.quads.push_back({between ? first : second, mesh.to(s), mesh.to(mesh.next(s)), mesh.from(mesh.prev(s))});
+                p.replacement.quads.push_back(
+                    {between ? first : second, mesh.to(s), mesh.to(mesh.next(s)), mesh.from(mesh.prev(s))});
             }
             p.replacement.quads.push_back({first, mesh.to(spokes[j]), second, mesh.to(spokes[i])});
             for (std::size_t side = 0; side < 2; ++side) {
