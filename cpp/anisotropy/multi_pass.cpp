@@ -38,7 +38,6 @@ class MultiPass {
 
     MultiPassResult run() {
         stacks_ = source_sides(mesh_, sources_);
-        std::size_t passes = 0;
         for (const Source& source : sources_) {
             Line line;
             line.closed = source.vertices.front() == source.vertices.back();
@@ -48,13 +47,13 @@ class MultiPass {
                 line.index.push_back(i);
             }
             lines_.push_back(std::move(line));
-            passes = std::max(passes, source.passes.size());
+            pass_count_ = std::max(pass_count_, source.passes.size());
         }
         for (const RowStack& stack : stacks_) {
             for (const Vertex v : stack.layers[0]) mesh_.info(v).in_row = true;
         }
-        for (std::size_t p = 0; p < passes; ++p) {
-            context_.report(static_cast<double>(p) / static_cast<double>(passes));
+        for (std::size_t p = 0; p < pass_count_; ++p) {
+            context_.report(static_cast<double>(p) / static_cast<double>(pass_count_));
             run_pass(p);
         }
         return std::move(result_);
@@ -115,7 +114,7 @@ class MultiPass {
                 limits.free_share = kFreeShare + kFreeShareLater * static_cast<double>(passes.size() - p - 1);
                 limits.clearance = 1.9 + kReserve * static_cast<double>(passes.size() - p - 1);
                 active[i] = build_row(mesh_, stacks_[i], size_, reference_, limits);
-                context_.report(static_cast<double>(p) / 4.0);
+                context_.report(static_cast<double>(p) / static_cast<double>(pass_count_));
             }
         }
     }
@@ -245,6 +244,7 @@ class MultiPass {
     Context& context_;
     std::vector<RowStack> stacks_;
     std::vector<Line> lines_;
+    std::size_t pass_count_ = 0;
     MultiPassResult result_;
 };
 
