@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "smoothing/pattern_search.h"
 #include "smoothing/star.h"
 
 namespace anisoquad {
@@ -55,7 +56,7 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
         for (const double trial : {t - step, t + step}) {
             if (trial < kMargin || trial > 1.0 - kMargin) continue;
             const double s = score(star, a + trial * chord);
-            if (s > best) {
+            if (s > best + kTie) {
                 best = s;
                 found = trial;
             }
@@ -100,7 +101,7 @@ bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
         for (const double trial : {place - step, place + step}) {
             if (trial < low + margin || trial > high - margin) continue;
             const double s = score(star, lines.at(line, trial));
-            if (s <= best || star.quality(lines.at(line, trial)).worst < worst) continue;
+            if (s <= best + kTie || star.quality(lines.at(line, trial)).worst < worst) continue;
             if (lines.deviation(line, low, trial) > kDeviation || lines.deviation(line, trial, high) > kDeviation) continue;
             best = s;
             found = trial;

@@ -11,12 +11,14 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kTries = 4;
+/// Nodes are often put on a straight edge, where the worst element is 0: rounding must not choose its sign.
+constexpr double kUpright = 1e-9;
 
 /// A move passes if it inverts nothing and the worst element stays above the lower of its old quality and what is good enough.
 bool is_acceptable(const Star& star, const Star::Quality& before, const Point& p, double good_enough) {
     const double worst = star.quality(p).worst;
-    if (worst > 0.0) return worst >= std::min(before.worst, good_enough);
-    return before.worst <= 0.0 && star.tangle(p) < star.tangle(star.centre());
+    if (worst > kUpright) return worst >= std::min(before.worst, good_enough);
+    return before.worst <= kUpright && star.tangle(p) < star.tangle(star.centre());
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
     const Star::Quality before = star.quality(star.centre());
     // The exponential map of a folded ring is no map of the surface.
     SurfaceFit fit;
-    const bool fitted = before.worst > 0.0 && fit_surface(mesh, v, fit);
+    const bool fitted = before.worst > kUpright && fit_surface(mesh, v, fit);
     Vector3d step = target - star.centre();
     std::int32_t facet = hint ? *hint : -1;
     for (int i = 0; i <= kTries; ++i, step *= 0.5) {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace anisoquad {
+
+/// Scores closer than this are equal, and the first one wins: rounding must not choose between mirror images.
+inline constexpr double kTie = 1e-10;
 
 /// Looks for the largest score(x) near x in four directions. After every step the directions turn by π/8, so that the search
 /// does not stick to a ridge, as the minimum of several measures has them; the step is halved when none is better. (Eight
@@ -27,7 +31,7 @@ double pattern_search(const Score& score, Eigen::Vector2d& x, double step, doubl
         for (std::size_t i = turn; i < 16; i += 4) {
             const Eigen::Vector2d trial = x + step * kDirections[i];
             const double s = score(trial);
-            if (s > best) {
+            if (s > best + kTie * std::max(1.0, std::abs(best))) {
                 best = s;
                 found = trial;
             }
