@@ -125,7 +125,8 @@ void expect_oriented(const shapes::Shape& shape, const QuadMeshResult& result) {
 }
 
 /// Boundary and features of the input (turn above 40°, and the given paths) are covered by line_edges, which are edges of quads.
-void expect_lines_covered(const shapes::Shape& shape, const QuadMeshResult& result, const std::vector<Source>& sources, double tolerance) {
+void expect_lines_covered(const shapes::Shape& shape, const QuadMeshResult& result, const std::vector<Source>& sources,
+                          double tolerance) {
     const std::set<Pair> edges = directed_edges(result.quads);
     const auto at = [&](std::int32_t i) -> const Point& { return result.points[static_cast<std::size_t>(i)]; };
     std::set<Pair> covered;
@@ -135,7 +136,8 @@ void expect_lines_covered(const shapes::Shape& shape, const QuadMeshResult& resu
         EXPECT_LT(line, result.report.feature_lines);
         covered.insert(std::minmax(a, b));
     }
-    for (const auto& [a, b] : edges) EXPECT_TRUE(edges.contains({b, a}) || covered.contains(std::minmax(a, b))) << "a boundary edge on no line";
+    for (const auto& [a, b] : edges)
+        EXPECT_TRUE(edges.contains({b, a}) || covered.contains(std::minmax(a, b))) << "a boundary edge on no line";
 
     SurfaceMesh mesh = shape.mesh();
     find_features(mesh, sources, {});
@@ -151,7 +153,8 @@ void expect_lines_covered(const shapes::Shape& shape, const QuadMeshResult& resu
     }
 }
 
-void expect_good(const shapes::Shape& shape, const QuadMeshResult& result, const std::vector<Source>& sources = {}, double tolerance = 1e-9) {
+void expect_good(const shapes::Shape& shape, const QuadMeshResult& result, const std::vector<Source>& sources = {},
+                 double tolerance = 1e-9) {
     expect_consistent(shape, result);
     if (testing::Test::HasFatalFailure()) return;
     EXPECT_EQ(euler_characteristic(result.quads), euler_characteristic(shape.triangles));
@@ -161,9 +164,8 @@ void expect_good(const shapes::Shape& shape, const QuadMeshResult& result, const
 }
 
 shapes::Shape plane_with_holes() {
-    return shapes::grid_with_holes(24, 18, [](int i, int j) {
-        return !((i >= 4 && i < 8 && j >= 4 && j < 8) || (i >= 14 && i < 19 && j >= 9 && j < 13));
-    });
+    return shapes::grid_with_holes(
+        24, 18, [](int i, int j) { return !((i >= 4 && i < 8 && j >= 4 && j < 8) || (i >= 14 && i < 19 && j >= 9 && j < 13)); });
 }
 
 // ---------------------------------------------------------------- without a source
@@ -212,7 +214,8 @@ TEST(QuadMesh, Cube) {
 TEST(QuadMesh, SmallAndOddSurfaces) {
     shapes::Shape odd = shapes::grid(7, 5);
     odd.triangles.erase(odd.triangles.begin());
-    for (const auto& shape : {shapes::grid(1, 1), shapes::grid(2, 2), shapes::grid(5, 1), odd, shapes::cube(1)}) expect_good(shape, meshed(shape));
+    for (const auto& shape : {shapes::grid(1, 1), shapes::grid(2, 2), shapes::grid(5, 1), odd, shapes::cube(1)})
+        expect_good(shape, meshed(shape));
 }
 
 TEST(QuadMesh, SeveralComponents) {
@@ -258,7 +261,8 @@ TEST(QuadMeshWithSources, FromAHoleToTheBoundary) {
 }
 
 TEST(QuadMeshWithSources, Several) {
-    expect_good_with(shapes::grid(40, 50), {source(path(15 * 41, 15 * 41 + 40, 1), {{4, 0}}), source(path(35 * 41, 35 * 41 + 40, 1), {{2, 0}, {2, 0}})});
+    expect_good_with(shapes::grid(40, 50), {source(path(15 * 41, 15 * 41 + 40, 1), {{4, 0}}),
+                                            source(path(35 * 41, 35 * 41 + 40, 1), {{2, 0}, {2, 0}})});
 }
 
 TEST(QuadMeshWithSources, ClosedOnACylinder) {
@@ -386,9 +390,11 @@ TEST(QuadMesh, UnitAndPlaceDoNotMatter) {
     for (const auto& sources : {std::vector<Source>{}, std::vector<Source>{source(path(12 * 31, 12 * 31 + 30, 1), {{3, 0}})}}) {
         const shapes::Shape shape = shaken(30, 24);
         const QuadMeshResult result = meshed(shape, sources);
-        for (const auto& [scale, offset] : {std::pair{1e-6, Point(0, 0, 0)}, {1.0, Point(1e3, -1e3, 1e3)}, {1e-6, Point(1e-3, 0, 1e-3)}}) {
+        for (const auto& [scale, offset] :
+             {std::pair{1e-6, Point(0, 0, 0)}, {1.0, Point(1e3, -1e3, 1e3)}, {1e-6, Point(1e-3, 0, 1e-3)}}) {
             const QuadMeshResult other = meshed(shapes::placed(shape, scale, offset), sources);
-            SCOPED_TRACE(testing::Message() << sources.size() << " sources, scale " << scale << ", offset " << offset.transpose());
+            SCOPED_TRACE(testing::Message() << sources.size() << " sources, scale " << scale << ", offset "
+                                            << offset.transpose());
             EXPECT_EQ(other.quads.size(), result.quads.size());
             EXPECT_EQ(other.points.size(), result.points.size());
             EXPECT_EQ(other.line_edges.size(), result.line_edges.size());
@@ -450,7 +456,8 @@ TEST(QuadMesh, StagesAreRecordedOnDemand) {
             EXPECT_GE(f[2], 0);
         }
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"pass 1: rows", "pass 1: merge", "pass 2: rows", "pass 2: merge", "fill", "result"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"pass 1: rows", "pass 1: merge", "pass 2: rows", "pass 2: merge", "fill", "result"}));
 }
 
 TEST(QuadMesh, ProgressRisesFromZeroToOne) {
@@ -493,7 +500,8 @@ TEST(QuadMesh, CanBeCancelledAtAnyTime) {
 
 // ---------------------------------------------------------------- bad input
 
-void expect_error(ErrorCode code, const shapes::Shape& shape, const std::vector<Source>& sources = {}, const Options& options = {}) {
+void expect_error(ErrorCode code, const shapes::Shape& shape, const std::vector<Source>& sources = {},
+                  const Options& options = {}) {
     try {
         meshed(shape, sources, options);
         FAIL() << "accepted, expected " << name(code);
@@ -525,10 +533,10 @@ TEST(QuadMesh, BadInputIsATypedError) {
 
 TEST(QuadMesh, BadSourcesAndOptionsAreTypedErrors) {
     const shapes::Shape shape = shapes::grid(8, 8);
-    expect_error(ErrorCode::invalid_source, shape, {source({0, 40})});            // no edge
-    expect_error(ErrorCode::invalid_source, shape, {source({0})});                // no line
-    expect_error(ErrorCode::invalid_source, shape, {source({0, 1, 2, 1})});       // touches itself
-    expect_error(ErrorCode::invalid_source, shape, {source({0, 1, 500})});        // no vertex
+    expect_error(ErrorCode::invalid_source, shape, {source({0, 40})});              // no edge
+    expect_error(ErrorCode::invalid_source, shape, {source({0})});                  // no line
+    expect_error(ErrorCode::invalid_source, shape, {source({0, 1, 2, 1})});         // touches itself
+    expect_error(ErrorCode::invalid_source, shape, {source({0, 1, 500})});          // no vertex
     expect_error(ErrorCode::invalid_option, shape, {source({0, 1, 2}, {{0, 0}})});  // ratio
     Options options;
     options.feature_angle = -5.0;

@@ -100,7 +100,8 @@ inline Point centre(const SurfaceMesh& mesh, Face f) {
 /// Area over the surface's normal: folded parts count negative.
 inline double signed_area(const Prepared& p) {
     double sum = 0.0;
-    for (const Face f : faces(p.mesh)) sum += 0.5 * doubled_area(p.mesh, f).dot(p.reference.closest(centre(p.mesh, f), p.mesh.info(f).patch).normal);
+    for (const Face f : faces(p.mesh))
+        sum += 0.5 * doubled_area(p.mesh, f).dot(p.reference.closest(centre(p.mesh, f), p.mesh.info(f).patch).normal);
     return sum;
 }
 

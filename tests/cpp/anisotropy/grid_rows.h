@@ -13,7 +13,8 @@ struct GridRows : Prepared {
     RowStack stack;
 
     GridRows(int columns, int height, int source_at, int rows)
-        : Prepared(shapes::grid(columns, height), {source(path(source_at * (columns + 1), source_at * (columns + 1) + columns, 1))}),
+        : Prepared(shapes::grid(columns, height),
+                   {source(path(source_at * (columns + 1), source_at * (columns + 1) + columns, 1))}),
           nx(columns),
           base(source_at) {
         stack.layers.push_back(layer(0));

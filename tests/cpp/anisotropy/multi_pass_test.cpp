@@ -21,9 +21,11 @@ struct Built : Prepared {
     std::vector<std::string> observed;
     MultiPassResult result;
 
-    Built(const shapes::Shape& of, const std::vector<Source>& lines, const Options& options = {}) : Prepared(of, lines, options), sources(lines) {
+    Built(const shapes::Shape& of, const std::vector<Source>& lines, const Options& options = {})
+        : Prepared(of, lines, options), sources(lines) {
         const LocalSize size(shape.points, shape.triangles, reference);
-        result = build_anisotropic_rows(mesh, sources, size, reference, options, [&](const std::string& stage) { observed.push_back(stage); });
+        result = build_anisotropic_rows(mesh, sources, size, reference, options,
+                                        [&](const std::string& stage) { observed.push_back(stage); });
     }
     Built(const Built&) = delete;
 };
@@ -196,7 +198,8 @@ TEST(MultiPass, OneSideOnly) {
 }
 
 TEST(MultiPass, SeveralSourcesStopBeforeEachOther) {
-    Built p(shapes::grid(48, 60), {source(path(18 * 49, 18 * 49 + 48, 1), {{3, 0}, {2, 0}}), source(path(42 * 49, 42 * 49 + 48, 1), {{4, 0}})});
+    Built p(shapes::grid(48, 60),
+            {source(path(18 * 49, 18 * 49 + 48, 1), {{3, 0}, {2, 0}}), source(path(42 * 49, 42 * 49 + 48, 1), {{4, 0}})});
     expect_rows(p);
     for (const int s : {0, 1}) {
         for (const char* side : {"left", "right"}) EXPECT_GT(reported_rows(p, s, side), 0);

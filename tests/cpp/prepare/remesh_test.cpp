@@ -14,7 +14,9 @@ namespace {
 using namespace stages;
 using M = SurfaceMesh;
 
-std::vector<char> everywhere(const SurfaceMesh& mesh) { return std::vector<char>(static_cast<std::size_t>(mesh.vertex_slots()), 1); }
+std::vector<char> everywhere(const SurfaceMesh& mesh) {
+    return std::vector<char>(static_cast<std::size_t>(mesh.vertex_slots()), 1);
+}
 
 void set_sizes(SurfaceMesh& mesh, double size) {
     for (const Vertex v : vertices(mesh)) mesh.info(v).size = size;
@@ -118,7 +120,8 @@ TEST(Remesh, LinesInsideAndQuadsStay) {
     expect_lines_kept(p);
     EXPECT_EQ(quad_count(p.mesh), 1);
     ASSERT_TRUE(p.mesh.is_quad(quad));
-    for (const int node : {0, 1, 21, 22}) EXPECT_EQ(p.mesh.position(Vertex(a.index() + node)), p.shape.points[static_cast<std::size_t>(a.index() + node)]);
+    for (const int node : {0, 1, 21, 22})
+        EXPECT_EQ(p.mesh.position(Vertex(a.index() + node)), p.shape.points[static_cast<std::size_t>(a.index() + node)]);
 }
 
 TEST(Remesh, OnlyTheZoneChanges) {
@@ -165,7 +168,8 @@ TEST(Remesh, SizeAndPlaceDoNotMatter) {
 
 TEST(SwapTowardsDelaunay, LeavesNoEdgeWhoseOppositeAnglesSumToMoreThanPi) {
     shapes::Shape shape = shapes::grid(12, 10);
-    for (Point& q : shape.points) q += Point(0.55 * q.y() + 0.2 * std::sin(3.0 * q.x()), 0.2 * std::sin(5.0 * q.y() + q.x()), 0.0);
+    for (Point& q : shape.points)
+        q += Point(0.55 * q.y() + 0.2 * std::sin(3.0 * q.x()), 0.2 * std::sin(5.0 * q.y() + q.x()), 0.0);
     Prepared p(shape, {source(path(5 * 13 + 2, 5 * 13 + 9, 1))});
     EXPECT_GT(swap_towards_delaunay(p.mesh, everywhere(p.mesh)), 0);
     expect_sound(p);

@@ -152,7 +152,8 @@ TEST(FinishRemaining, RowsAndLinesAreNotCrossed) {
 }
 
 TEST(FinishRemaining, AnySurfaceOfEvenlyManyTrianglesEndsAllQuads) {
-    for (const auto& shape : {shapes::sphere(13, 9), shapes::torus(15, 8), shapes::cylinder(11, 7), shapes::grid(7, 9, 1.0, 0.3)}) {
+    for (const auto& shape :
+         {shapes::sphere(13, 9), shapes::torus(15, 8), shapes::cylinder(11, 7), shapes::grid(7, 9, 1.0, 0.3)}) {
         Prepared p(shape);
         EXPECT_EQ(finish_remaining(p.mesh).left, 0);
         expect_quads(p);

@@ -23,7 +23,8 @@ TEST(NodeSize, IsAboutTheSideOfTheSquareOfTwoTriangles) {
     const double d = density(shapes::grid(5, 4), 1.0);
     EXPECT_GT(d, 0.85);
     EXPECT_LT(d, 1.1);
-    for (const double scale : {1e-4, 250.0}) EXPECT_NEAR(density(shapes::placed(shapes::grid(5, 4), scale, Point(3, 0, 0)), scale), d, 1e-9);
+    for (const double scale : {1e-4, 250.0})
+        EXPECT_NEAR(density(shapes::placed(shapes::grid(5, 4), scale, Point(3, 0, 0)), scale), d, 1e-9);
     EXPECT_NEAR(density(shapes::grid(5, 4, 2.0, 0.5), 1.0), d, 1e-9);
 }
 

@@ -50,9 +50,8 @@ TEST(QMorph, FillsAPlane) {
 }
 
 TEST(QMorph, FillsAPlaneWithHoles) {
-    Prepared p(shapes::grid_with_holes(20, 16, [](int i, int j) {
-        return !((i >= 4 && i < 8 && j >= 5 && j < 9) || (i >= 12 && i < 17 && j >= 8 && j < 10));
-    }));
+    Prepared p(shapes::grid_with_holes(
+        20, 16, [](int i, int j) { return !((i >= 4 && i < 8 && j >= 5 && j < 9) || (i >= 12 && i < 17 && j >= 8 && j < 10)); }));
     ASSERT_EQ(p.before.boundary_loops, 3);
     expect_filled(p);
     EXPECT_NEAR(signed_area(p), input_area(p.shape), 1e-9 * input_area(p.shape));
@@ -118,7 +117,8 @@ TEST(QMorph, QuadsThatExistStay) {
 }
 
 TEST(QMorph, TheSameInputGivesTheSameMesh) {
-    for (const auto& shape : {shapes::sphere(24, 16), shapes::grid_with_holes(12, 12, [](int i, int j) { return i != 5 || j < 4; })}) {
+    for (const auto& shape :
+         {shapes::sphere(24, 16), shapes::grid_with_holes(12, 12, [](int i, int j) { return i != 5 || j < 4; })}) {
         Prepared a(shape);
         Prepared b(shape);
         fill(a);

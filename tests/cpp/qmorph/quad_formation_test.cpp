@@ -74,7 +74,8 @@ TEST(QuadFormation, SmoothingKeepsLinesAndTurnsNothingOver) {
         Prepared p(shape);
         const int stride = shape.points.size() == 49 ? 7 : 24;
         // The new quad's upper nodes are pulled aside, short of folding anything.
-        const Point pulled = p.mesh.position(Vertex(2 + stride)) + 0.3 * (p.mesh.position(Vertex(3 + stride)) - p.mesh.position(Vertex(2 + stride)));
+        const Point pulled = p.mesh.position(Vertex(2 + stride)) +
+                             0.3 * (p.mesh.position(Vertex(3 + stride)) - p.mesh.position(Vertex(2 + stride)));
         p.mesh.position(Vertex(2 + stride)) = pulled;
         const Face f = form_quad(p.mesh, edge(p.mesh, 2, 3), Vertex(3 + stride), Vertex(2 + stride));
         ASSERT_TRUE(f.is_valid());
@@ -92,7 +93,8 @@ TEST(QuadFormation, SmoothingKeepsLinesAndTurnsNothingOver) {
             EXPECT_EQ(p.mesh.position(v), shape.points[static_cast<std::size_t>(v.index())]);
         }
         // Only the quad and the ring round it move.
-        for (int i = 0; i < 4; ++i) EXPECT_EQ(p.mesh.position(Vertex(i + 4 * stride)), shape.points[static_cast<std::size_t>(i + 4 * stride)]);
+        for (int i = 0; i < 4; ++i)
+            EXPECT_EQ(p.mesh.position(Vertex(i + 4 * stride)), shape.points[static_cast<std::size_t>(i + 4 * stride)]);
     }
 }
 

@@ -17,9 +17,19 @@ using M = SurfaceMesh;
 Prepared gap(double angle, double right, double left) {
     shapes::Shape shape;
     const double a = 0.5 * angle * std::numbers::pi / 180.0;
-    shape.points = {{0, 0, 0},    {right * std::sin(a), right * std::cos(a), 0}, {-left * std::sin(a), left * std::cos(a), 0},
-                    {1, 0, 0},    {1.2, 1, 0},   {1.2, 2, 0}, {0, 2, 0}, {-1.2, 2, 0}, {-1.2, 1, 0},
-                    {-1, 0, 0},   {-1, -1, 0},   {0, -1, 0},  {1, -1, 0}};
+    shape.points = {{0, 0, 0},
+                    {right * std::sin(a), right * std::cos(a), 0},
+                    {-left * std::sin(a), left * std::cos(a), 0},
+                    {1, 0, 0},
+                    {1.2, 1, 0},
+                    {1.2, 2, 0},
+                    {0, 2, 0},
+                    {-1.2, 2, 0},
+                    {-1.2, 1, 0},
+                    {-1, 0, 0},
+                    {-1, -1, 0},
+                    {0, -1, 0},
+                    {1, -1, 0}};
     shape.add_quad(0, 3, 4, 1);
     shape.add_quad(9, 0, 2, 8);
     shape.add_quad(10, 11, 0, 9);
@@ -114,9 +124,11 @@ TEST(Seam, UnequalEdgesGetATransition) {
 TEST(Seam, ALongEdgeNextToAShortOneOnTheFrontIsHalved) {
     for (const bool first_longer : {false, true}) {
         shapes::Shape shape = shapes::grid(2, 2);
-        for (Point& q : shape.points) q.x() = q.x() == 0.0 ? (first_longer ? -1.0 : -0.3) : q.x() == 2.0 ? (first_longer ? 0.3 : 1.0) : 0.0;
+        for (Point& q : shape.points)
+            q.x() = q.x() == 0.0 ? (first_longer ? -1.0 : -0.3) : q.x() == 2.0 ? (first_longer ? 0.3 : 1.0) : 0.0;
         Prepared p(shape);
-        for (const auto& [b, c] : {std::pair{0, 4}, {2, 4}}) dissolve_edge(p.mesh, M::edge(p.mesh.find_halfedge(Vertex(b), Vertex(c))));
+        for (const auto& [b, c] : {std::pair{0, 4}, {2, 4}})
+            dissolve_edge(p.mesh, M::edge(p.mesh.find_halfedge(Vertex(b), Vertex(c))));
         const HalfEdge h = p.mesh.find_halfedge(Vertex(3), Vertex(4));
         ASSERT_TRUE(is_front(p.mesh, h));
         ASSERT_EQ(classify_seam(p.mesh, h), SeamKind::transition_split);

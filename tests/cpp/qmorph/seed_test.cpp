@@ -37,7 +37,8 @@ TEST(Seed, AClosedSurfaceStartsFromItsBestPair) {
 }
 
 TEST(Seed, EveryClosedComponentGetsOne) {
-    Prepared p(shapes::joined(shapes::sphere(14, 9), shapes::joined(shapes::placed(shapes::torus(20, 12), 1.0, Point(9, 0, 0)), shapes::grid(3, 3))));
+    Prepared p(shapes::joined(shapes::sphere(14, 9),
+                              shapes::joined(shapes::placed(shapes::torus(20, 12), 1.0, Point(9, 0, 0)), shapes::grid(3, 3))));
     EXPECT_EQ(start_closed_components(p.mesh), 2);
     EXPECT_EQ(quad_count(p.mesh), 2);
     expect_sound(p);
