@@ -109,6 +109,7 @@ class Cleaner {
             if (!mesh_.is_boundary(h)) propose_collapse_of(mesh_, mesh_.next(mesh_.next(h)), proposals_);
         }
         propose_edge_rotation(mesh_, v, proposals_);
+        propose_hexagon(mesh_, v, proposals_);
         propose_vertex_split(mesh_, v, proposals_);
         order_.clear();
         for (std::size_t i = 0; i < proposals_.size(); ++i) {

@@ -26,6 +26,9 @@ void propose_collapse_of(const SurfaceMesh& mesh, HalfEdge h, std::vector<Propos
 /// The edges at v and opposite v in its quads: each is turned either way in the hexagon of its two quads.
 void propose_edge_rotation(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
 
+/// The hexagon of two quads at an edge of v, or of the three quads round v if it has three edges, with a node inside or without.
+void propose_hexagon(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
+
 /// Opens v along two of its edges: v becomes two nodes and a new quad lies between (the inverse of the collapse).
 void propose_vertex_split(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
 

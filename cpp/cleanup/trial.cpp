@@ -16,6 +16,9 @@ using M = SurfaceMesh;
 constexpr int kMeanSweeps = 10;         ///< plain averaging of the new nodes, which untangles convex outlines
 constexpr int kSweeps = 3;              ///< guarded
 constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node's place is optimised
+constexpr double kBad = 0.25;           ///< scaled Jacobian
+constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
+constexpr double kMoreAspect = 1.5;     ///< for a repair
 constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
 constexpr double kMeanLoss = 0.03;      ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
 constexpr double kDistance = 5e-4;      ///< from the surface, over its diagonal, that passes in any case
@@ -54,11 +57,13 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
     Quality result;
     result.mean = 0.0;
     std::array<Point, 4> p;
+    std::int32_t hint = -1;
     for (const Face f : faces) {
         std::size_t k = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) p[k++] = mesh_.position(mesh_.from(h));
         const std::int32_t patch = mesh_.info(f).patch;
-        const SurfacePoint middle = reference_.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), patch);
+        const SurfacePoint middle = reference_.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), patch, hint);
+        hint = middle.facet;
         const bool upright = (p[2] - p[0]).cross(p[3] - p[1]).dot(middle.normal) > 0.0;
         const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
         result.worst = std::min(result.worst, upright ? q : -std::abs(q));
@@ -75,10 +80,16 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
 }
 
 bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
-    if (demands.improvement > 0.0 && after.worst < before.worst + demands.improvement) return false;
-    return after.worst >= std::min(before.worst, demands.bound) && after.aspect <= std::max(before.aspect, kLongestAspect) &&
-           after.mean >= before.mean - kMeanLoss &&
-           after.distance <= std::max(before.distance, kDistance * reference_.diagonal());
+    if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
+    if (after.worst < std::min(before.worst, demands.bound) ||
+        (demands.improvement > 0.0 && after.worst < before.worst + demands.improvement)) {
+        return false;
+    }
+    // Where the worst was hardly usable, its repair is worth stretched quads.
+    if (before.worst < kBad && after.worst > before.worst + kRepaired) {
+        return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
+    }
+    return after.aspect <= std::max(before.aspect, kLongestAspect) && after.mean >= before.mean - kMeanLoss;
 }
 
 void Trial::gather_neighbourhood(const Region& region, std::vector<Face>& faces) {
@@ -102,14 +113,14 @@ void Trial::smooth(const Region& region) {
             mesh_.position(v) = reference_.project(target, mesh_.info(region.faces[0]).patch, hint);
         }
     }
-    const auto improve = [&](Vertex v) {
+    const auto improve = [&](Vertex v, bool last) {
         if (!is_movable(mesh_, v)) return;
         if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, &reference_, nullptr, kPoor);
-        if (worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor) optimise_node(mesh_, v, &reference_);
+        if (last && worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor) optimise_node(mesh_, v, &reference_);
     };
     for (int i = 0; i < kSweeps; ++i) {
-        for (const Vertex v : region.inner) improve(v);
-        for (const HalfEdge h : region.loop) improve(mesh_.from(h));
+        for (const Vertex v : region.inner) improve(v, i + 1 == kSweeps);
+        for (const HalfEdge h : region.loop) improve(mesh_.from(h), i + 1 == kSweeps);
     }
 }
 

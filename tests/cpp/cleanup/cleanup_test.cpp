@@ -91,6 +91,16 @@ TEST(Cleanup, OpenedNodeIsCollapsed) {
     expect_regular_again(mesh, 6, 6);
 }
 
+TEST(Cleanup, NodeInAHexagonIsRemoved) {
+    SurfaceMesh mesh = shapes::quad_grid(6, 6);
+    std::vector<Proposal> proposals;
+    propose_hexagon(mesh, Vertex(24), proposals);
+    ASSERT_EQ(proposals.size(), 2U * 4U);
+    for (const Proposal& p : proposals) EXPECT_EQ(p.replacement.quads.size(), 3U);
+    apply(mesh, proposals[0]);
+    expect_regular_again(mesh, 6, 6);
+}
+
 TEST(Cleanup, DoubletIsDissolved) {
     SurfaceMesh mesh = shapes::quad_grid(6, 6);
     // A quad with a node inside that is joined to two opposite corners.
