@@ -14,6 +14,7 @@
 #include "input/check.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
+#include "prepare/prepare.h"
 #include "qmorph/node_size.h"
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
@@ -71,9 +72,14 @@ class Pipeline {
         const ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle);
         end();
 
-        begin("rows", 0.05, 0.25);
+        begin("prepare", 0.05, 0.1);
+        std::vector<Source> sources(sources_.begin(), sources_.end());
+        if (options_.prepare) prepare(sources, reference);
+        end();
+
+        begin("rows", 0.1, 0.25);
         assign_node_sizes(mesh_);
-        build_rows(reference, frame);
+        build_rows(sources, reference, frame);
         end();
 
         begin("parity", 0.25, 0.26);
@@ -131,8 +137,16 @@ class Pipeline {
         if (topology(mesh_) != before_) throw std::logic_error("the topology changed in stage '" + stage_ + "'");
     }
 
-    void build_rows(const ReferenceSurface& reference, const Frame& frame) {
-        if (std::all_of(sources_.begin(), sources_.end(), [](const Source& s) { return s.passes.empty(); })) return;
+    void prepare(std::vector<Source>& sources, const ReferenceSurface& reference) {
+        const PrepareResult prepared = prepare_triangles(mesh_, unit_points_, triangles_, reference, sources, context_);
+        if (prepared.patches == 0) return;
+        warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.poor) +
+             " of their triangles are too long and thin for quads (" + std::to_string(prepared.triangles_before) + " triangles became " +
+             std::to_string(prepared.triangles_after) + ")");
+    }
+
+    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, const Frame& frame) {
+        if (std::all_of(sources.begin(), sources.end(), [](const Source& s) { return s.passes.empty(); })) return;
         const LocalSize size(unit_points_, triangles_, reference);
         const auto observe = [&](const std::string& stage) {
 #ifdef ANISOQUAD_VALIDATE
@@ -141,7 +155,7 @@ class Pipeline {
 #endif
             snapshot(stage, frame);
         };
-        MultiPassResult rows = build_anisotropic_rows(mesh_, sources_, size, reference, options_, observe, context_);
+        MultiPassResult rows = build_anisotropic_rows(mesh_, sources, size, reference, options_, observe, context_);
         report().passes = std::move(rows.passes);
         for (const std::string& warning : rows.warnings) warn(warning);
         assign_node_sizes(mesh_);
