@@ -28,7 +28,8 @@ constexpr double kLeastQuality = 0.25;      // scaled Jacobian of a row quad
 constexpr double kEvenOut = 0.15;            // share of a column's displacement along the row that one row takes back
 constexpr double kMostLean = 0.5;           // of a column for that, per height
 constexpr double kOverEnds = 1.25;           // height over that of the end columns, or the rows tilt
-constexpr double kLeastGrowthCapped = 1.01;
+constexpr double kFirstRow = 0.85;          // height of the first row over the local size: rows only get thicker
+constexpr double kLeastGrowthCapped = 1.015;
 constexpr double kLeastGrowth = 1.03;       // rows never get thinner away from the source
 constexpr std::int32_t kRowLine = 1 << 30;  // marks the edges of the row while it is built
 
@@ -192,11 +193,12 @@ class RowBuilder {
             const double before = stack_.height(mesh_, i);
             const TraceEnd ahead = trace_geodesic(mesh_, into(i), angle_[i], before > 0.0 ? before : 1e-3 * mesh_.length(into(i)));
             const double local = size_(ahead.position, hint);
+            const double share = before > 0.0 ? 1.0 : kFirstRow;
             low[i] = before > 0.0 ? before * (before > cap ? kLeastGrowthCapped : kLeastGrowth) : 0.0;
             high[i] = before > 0.0 ? before * limits_.growth : 1e300;
             const double width = 0.5 * (mesh_.length(front_[i > 0 ? i - 1 : 0]) + mesh_.length(front_[i < columns_ ? i : columns_ - 1]));
             const double least = limits_.height_of_width * width;
-            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]) : std::clamp(std::min(std::max(local, least), cap), low[i], high[i]);
+            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]) : std::clamp(share * std::min(std::max(local, least), cap), low[i], high[i]);
         }
         // A column on a line has the height that the line's nodes give; the others lead over to it slowly, or the rows tilt.
         const std::vector<double> local = height_;
