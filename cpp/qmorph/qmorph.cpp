@@ -115,7 +115,7 @@ class QMorph {
         const SeamKind kind = classify_seam(mesh_, h);
         if (kind == SeamKind::none) return false;
         // Splits and seams can undo each other; a bound for their number keeps the work per triangle limited.
-        if (kind != SeamKind::seam && 5 * result_.transitions > triangles_ + 100) return false;
+        if (kind != SeamKind::seam && 10 * result_.transitions > triangles_ + 100) return false;
         const std::int32_t level = state(h).level;
         const Vertex node = mesh_.to(h);
         if (kind == SeamKind::seam) {

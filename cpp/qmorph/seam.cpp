@@ -18,7 +18,8 @@ using M = SurfaceMesh;
 constexpr double kSeamAngle = std::numbers::pi / 6;
 constexpr double kSeamAngleCrowded = std::numbers::pi / 4;  // at a node that already has five quads
 constexpr double kTransitionRatio = 2.5;
-constexpr double kLongEdge = 1.75;      // over the wanted size: halved even without a step of length
+constexpr double kLongEdge = 1.85;      // over the wanted size: halved even without a step of length
+constexpr double kLeastNotch = std::numbers::pi / 4;  // a sharper notch would be seamed again at once
 constexpr double kLeastHalved = 1.3;   // over the wanted size: shorter edges are never halved, so that no seam undoes a split
 
 int quads_at(const SurfaceMesh& mesh, Vertex v) {
@@ -35,6 +36,16 @@ bool can_halve(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
     const double size = 0.5 * (mesh.info(mesh.from(front)).size + mesh.info(mesh.to(front)).size);
     if (mesh.length(front) < kLeastHalved * size) return false;
     return mesh.is_quad(mesh.face(back)) && mesh.info(mesh.face(back)).row == 0;
+}
+
+/// Angle of the notch that a transition split leaves in the front: at R between the halved edge's middle and its end.
+double notch_angle(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
+    const HalfEdge back = M::twin(front);
+    const Point& end = mesh.position(at_end ? mesh.to(front) : mesh.from(front));
+    const Point& r = mesh.position(at_end ? mesh.from(mesh.prev(back)) : mesh.to(mesh.next(back)));
+    const Eigen::Vector3d a = 0.5 * (mesh.position(mesh.from(front)) + mesh.position(mesh.to(front))) - r;
+    const Eigen::Vector3d b = end - r;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /// A node that a seam may take away: it is replaced by the other one, or moves to the middle.
@@ -92,7 +103,9 @@ SeamKind classify_seam(const SurfaceMesh& mesh, HalfEdge h) {
     }
     const double size = 0.5 * (mesh.info(mesh.from(longer)).size + mesh.info(mesh.to(longer)).size);
     const bool step = ratio > kTransitionRatio || (size > 0.0 && std::max(l1, l2) > kLongEdge * size);
-    if (step && angle > std::numbers::pi * 0.6 && can_halve(mesh, longer, longer == h)) return SeamKind::transition_split;
+    if (step && angle > std::numbers::pi * 0.6 && can_halve(mesh, longer, longer == h) && notch_angle(mesh, longer, longer == h) > kLeastNotch) {
+        return SeamKind::transition_split;
+    }
     return SeamKind::none;
 }
 
