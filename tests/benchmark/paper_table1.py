@@ -12,7 +12,7 @@ import wing
 import anisoquad
 
 PAPER = {1: 100, 2: 73, 3: 62, 4: 54, 5: 49, 6: 45, 8: 42, 16: 37}  # percent of the quads at 1:1
-SCALED_JACOBIAN_LIMIT = 0.2
+SCALED_JACOBIAN_LIMIT = 0.2  # of the quads that do not fill a corner between feature lines whose angle alone keeps them below it
 FIRST_ROW_LIMIT = 10.0  # aspect ratio at mid source, of 1:16
 
 
@@ -28,7 +28,7 @@ def measure(name, anisotropy):
 
 
 def main(name="wing_delta"):
-    print(f"{name}\n anisotropy   quads   % of 1:1   paper   triangles left   inverted   SJ min   SJ mean   first row   rows")
+    print(f"{name}\n anisotropy   quads   % of 1:1   paper   triangles left   inverted   SJ min   elsewhere   SJ mean   first row   rows")
     failures = []
     isotropic = None
     for anisotropy, paper in PAPER.items():
@@ -37,18 +37,21 @@ def main(name="wing_delta"):
         isotropic = isotropic or report["quads"]
         percent = 100.0 * report["quads"] / isotropic
         jacobian = report["scaled_jacobian"]
+        elsewhere = report["scaled_jacobian_min_elsewhere"]
         print(f"       1:{anisotropy:<3}{report['quads']:>8}{percent:>11.1f}{paper:>8}{report['triangles_left']:>17}"
-              f"{report['inverted']:>11}{jacobian['min']:>9.3f}{jacobian['mean']:>10.3f}{first_row:>12.1f}{len(rows):>7}")
+              f"{report['inverted']:>11}{jacobian['min']:>9.3f}{elsewhere:>12.3f}{jacobian['mean']:>10.3f}{first_row:>12.1f}{len(rows):>7}")
         checks = {
             f"more than {paper} % of its own 1:1": percent <= paper,
             "triangles or inverted quads left": mesh.valid,
-            f"scaled Jacobian below {SCALED_JACOBIAN_LIMIT}": jacobian["min"] >= SCALED_JACOBIAN_LIMIT,
+            f"scaled Jacobian below {SCALED_JACOBIAN_LIMIT}": elsewhere >= SCALED_JACOBIAN_LIMIT,
         }
         if anisotropy == 16:
             checks[f"first row's aspect ratio below {FIRST_ROW_LIMIT}"] = first_row >= FIRST_ROW_LIMIT
             checks["aspect ratio does not fall with the row"] = bool(np.all(np.diff(rows) <= 0))
         failures += [f"1:{anisotropy}: {what}" for what, met in checks.items() if not met]
-    print("\nmean aspect ratio per row at 1:16, from the source: " + " ".join(f"{value:.1f}" for value in rows))
+    print(f"\nSJ elsewhere: without the quads in the feature lines' corners, of which the sharpest has {report['sharpest_corner']:.1f} degrees: "
+          f"no quad there can be above {report['scaled_jacobian_limit']:.3f}")
+    print("mean aspect ratio per row at 1:16, from the source: " + " ".join(f"{value:.1f}" for value in rows))
     for entry in report["passes"]:
         print(f"source {entry['source'] + 1}, {entry['side']}, pass {entry['pass']} (1:{entry['ratio']}): "
               f"{entry['rows']} rows; {entry['stopped']}")
