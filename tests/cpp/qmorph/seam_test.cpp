@@ -121,14 +121,29 @@ TEST(Seam, UnequalEdgesGetATransition) {
     }
 }
 
+/// Two quads of the given height side by side under triangles, one three times as long as the other.
+Prepared step(bool first_longer, double height) {
+    shapes::Shape shape = shapes::grid(2, 2);
+    for (Point& q : shape.points) {
+        q.x() = q.x() == 0.0 ? (first_longer ? -1.0 : -0.3) : q.x() == 2.0 ? (first_longer ? 0.3 : 1.0) : 0.0;
+        if (q.y() == 0.0) q.y() = 1.0 - height;
+    }
+    Prepared p(shape);
+    for (const auto& [b, c] : {std::pair{0, 4}, {2, 4}})
+        dissolve_edge(p.mesh, M::edge(p.mesh.find_halfedge(Vertex(b), Vertex(c))));
+    return p;
+}
+
+TEST(Seam, AHighQuadIsNotHalvedSinceTheNotchWouldBeSeamedAgain) {
+    for (const bool first_longer : {false, true}) {
+        const Prepared p = step(first_longer, 1.0);
+        EXPECT_EQ(classify_seam(p.mesh, p.mesh.find_halfedge(Vertex(3), Vertex(4))), SeamKind::none);
+    }
+}
+
 TEST(Seam, ALongEdgeNextToAShortOneOnTheFrontIsHalved) {
     for (const bool first_longer : {false, true}) {
-        shapes::Shape shape = shapes::grid(2, 2);
-        for (Point& q : shape.points)
-            q.x() = q.x() == 0.0 ? (first_longer ? -1.0 : -0.3) : q.x() == 2.0 ? (first_longer ? 0.3 : 1.0) : 0.0;
-        Prepared p(shape);
-        for (const auto& [b, c] : {std::pair{0, 4}, {2, 4}})
-            dissolve_edge(p.mesh, M::edge(p.mesh.find_halfedge(Vertex(b), Vertex(c))));
+        Prepared p = step(first_longer, 0.4);
         const HalfEdge h = p.mesh.find_halfedge(Vertex(3), Vertex(4));
         ASSERT_TRUE(is_front(p.mesh, h));
         ASSERT_EQ(classify_seam(p.mesh, h), SeamKind::transition_split);
