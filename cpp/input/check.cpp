@@ -93,7 +93,7 @@ class InputChecker {
         reject(ErrorCode::degenerate_facets, ElementKind::facet, std::move(ids),
                flat +
                    " no area: two corners are the same or at the same place, or all three lie on one line. "
-                   "Remove them, or mesh with repair.");
+                   "Remove them.");
     }
 
     /// Brings the half-edges of an edge together: a counting sort by the lower end, then by the other end.
@@ -138,7 +138,7 @@ class InputChecker {
         ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
         const std::string copies = count(ids.size(), "facet has", "facets have");
         reject(ErrorCode::duplicate_facets, ElementKind::facet, std::move(ids),
-               copies + " the same three corners as another one. Remove the copies, or mesh with repair.");
+               copies + " the same three corners as another one. Remove the copies.");
     }
 
     void check_edges() const {
@@ -150,7 +150,7 @@ class InputChecker {
         reject(ErrorCode::non_manifold_edges, ElementKind::edge, std::move(ids),
                shared +
                    " shared by three or more facets. A surface has at most two at an edge: split the mesh there into separate "
-                   "surfaces, delete the surplus facets, or mesh with repair.",
+                   "surfaces, or delete the surplus facets.",
                2);
     }
 
@@ -183,7 +183,7 @@ class InputChecker {
         const std::string wrong = count(turned.size(), "facet is", "facets are");
         reject(ErrorCode::inconsistent_orientation, ElementKind::facet, std::move(turned),
                wrong +
-                   " turned the other way than the rest of the surface. Flip them (harmonize the normals), or mesh with repair.");
+                   " turned the other way than the rest of the surface. Flip them (harmonize the normals).");
     }
 
     /// The smaller set of facets of every component that must be flipped. @returns false if the surface is one-sided
@@ -235,8 +235,7 @@ class InputChecker {
         const std::string pinched = count(ids.size(), "vertex joins", "vertices join");
         reject(ErrorCode::non_manifold_vertices, ElementKind::vertex, std::move(ids),
                pinched +
-                   " parts of the surface that share no edge there. Give each part its own vertex at that place, or mesh with "
-                   "repair.");
+                   " parts of the surface that share no edge there. Give each part its own vertex at that place.");
     }
 
     std::span<const Point> points_;
