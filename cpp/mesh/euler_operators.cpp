@@ -20,9 +20,7 @@ void remove_two_gon(SurfaceMesh& mesh, HalfEdge h) {
     const Vertex b = mesh.from(g);
     // h takes the place of g's twin, which runs in the same direction as h.
     const Face f_outside = mesh.face(outside);
-    if (mesh.next(outside) == M::twin(h)) {  // a dangling pair; cannot occur in a manifold mesh
-        assert(false);
-    }
+    assert(mesh.next(outside) != M::twin(h));  // a dangling pair cannot occur in a manifold mesh
     mesh.link(mesh.prev(outside), h);
     mesh.link(h, mesh.next(outside));
     mesh.set_face(h, f_outside);

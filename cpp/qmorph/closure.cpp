@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/euler_operators.h"
+#include "qmorph/area_vector.h"
 #include "qmorph/front.h"
 #include "quality/metrics.h"
 
@@ -15,18 +16,6 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-Vector3d triangle_normal(const SurfaceMesh& mesh, Face f) {
-    const HalfEdge k = mesh.halfedge(f);
-    const Point& p = mesh.position(mesh.from(k));
-    return (mesh.position(mesh.to(k)) - p).cross(mesh.position(mesh.to(mesh.next(k))) - p);
-}
-
-Vector3d region_normal(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
-    Vector3d normal = Vector3d::Zero();
-    for (const Face f : faces) normal += triangle_normal(mesh, f);
-    return normal;
-}
-
 constexpr double kFlat = 0.5;     // length of a region's area vector over its area: below it no few quads can stand for it
 constexpr double kFolded = -0.3;  // what smoothing can still open
 constexpr double kDoubled = -2.0;  // a cut that would double an edge
@@ -34,8 +23,8 @@ constexpr double kDoubled = -2.0;  // a cut that would double an edge
 /// False for what only its loop is small of: all of a closed surface but one quad.
 bool is_flat(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
     double area = 0.0;
-    for (const Face f : faces) area += triangle_normal(mesh, f).norm();
-    return region_normal(mesh, faces).norm() > kFlat * area;
+    for (const Face f : faces) area += doubled_area_vector(mesh, f).norm();
+    return doubled_area_vector(mesh, faces).norm() > kFlat * area;
 }
 
 /// Six edges: cut by one of three diagonals into two quads, or three spokes from a new node to every other node.
@@ -43,7 +32,7 @@ bool close_six(SurfaceMesh& mesh, const std::array<HalfEdge, 6>& loop, const std
     std::array<Vertex, 6> v;
     for (std::size_t i = 0; i < 6; ++i) v[i] = mesh.from(loop[i]);
     const auto p = [&](std::size_t i) -> const Point& { return mesh.position(v[i % 6]); };
-    const Vector3d n = region_normal(mesh, faces);
+    const Vector3d n = doubled_area_vector(mesh, faces);
     double best = kFolded;
     int choice = -1;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -219,8 +208,7 @@ class Finish {
         const double q_after = cut_quality(exit, mesh_.next(after));
         const double q_before = cut_quality(before, after);
         if (std::max(q_after, q_before) <= kDoubled) {
-            const HalfEdge door_again = insert_edge(mesh_, back, mesh_.next(back_end));
-            (void)door_again;
+            insert_edge(mesh_, back, mesh_.next(back_end));
             return false;
         }
         if (q_after >= q_before) {
@@ -263,7 +251,7 @@ bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
         }
         if (!collect_region(mesh, loop, faces) || !is_flat(mesh, faces)) return false;
         const auto p = [&](std::size_t i) -> const Point& { return mesh.position(mesh.from(loop[i])); };
-        const double q = scaled_jacobian(p(0), p(1), p(2), p(3), region_normal(mesh, faces));
+        const double q = scaled_jacobian(p(0), p(1), p(2), p(3), doubled_area_vector(mesh, faces));
         if (q < kFolded) return false;
         replace_region(mesh, loop, faces);
         return true;

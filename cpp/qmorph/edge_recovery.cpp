@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/euler_operators.h"
+#include "qmorph/area_vector.h"
 #include "smoothing/move_node.h"
 
 namespace anisoquad {
@@ -80,24 +81,18 @@ class EdgeRecovery {
         if (!crossing.is_valid()) return false;
         while (static_cast<int>(crossed_.size()) < kMostCrossed) {
             if (!can_swap_through(crossing)) return false;
-            add_normal(mesh_.face(crossing));
+            strip_normal_ += doubled_area_vector(mesh_, mesh_.face(crossing));
             crossed_.push_back(M::edge(crossing));
             const HalfEdge across = M::twin(crossing);  // runs from the left of the line to its right
             const Vertex apex = mesh_.to(mesh_.next(across));
             if (apex == b_) {
-                add_normal(mesh_.face(across));
+                strip_normal_ += doubled_area_vector(mesh_, mesh_.face(across));
                 return true;
             }
             // The crossing half-edge always runs from the right of the line to its left.
             crossing = side(apex) > 0.0 ? mesh_.next(across) : mesh_.prev(across);
         }
         return false;
-    }
-
-    void add_normal(Face f) {
-        const HalfEdge h = mesh_.halfedge(f);
-        const Point& p = at(mesh_.from(h));
-        strip_normal_ += (at(mesh_.to(h)) - p).cross(at(mesh_.to(mesh_.next(h))) - p);
     }
 
     /// The two triangles beside e form a strictly convex quadrilateral in the strip's plane.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/euler_operators.h"
+#include "qmorph/area_vector.h"
 #include "quality/metrics.h"
 #include "smoothing/front_node.h"
 #include "smoothing/laplacian.h"
@@ -24,12 +25,7 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
     }
     static thread_local std::vector<Face> faces;
     if (!collect_region(mesh, loop, faces)) return {};
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    for (const Face f : faces) {
-        const HalfEdge k = mesh.halfedge(f);
-        const Point& p = mesh.position(mesh.from(k));
-        normal += (mesh.position(mesh.to(k)) - p).cross(mesh.position(mesh.to(mesh.next(k))) - p);
-    }
+    const Eigen::Vector3d normal = doubled_area_vector(mesh, faces);
     if (scaled_jacobian(mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(d), normal) < least) return {};
     return replace_region(mesh, loop, faces);
 }

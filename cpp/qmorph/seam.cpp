@@ -39,26 +39,26 @@ bool can_halve(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
     return mesh.is_quad(mesh.face(back)) && mesh.info(mesh.face(back)).row == 0;
 }
 
+/// R, the other neighbour, in the quad behind the front edge, of the end N at which the edge is cut: its to() when `at_end`.
+Vertex node_behind(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
+    const HalfEdge back = M::twin(front);
+    return at_end ? mesh.from(mesh.prev(back)) : mesh.to(mesh.next(back));
+}
+
 /// Angle of the notch that a transition split leaves in the front: at R between the halved edge's middle and its end.
 double notch_angle(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
-    const HalfEdge back = M::twin(front);
     const Point& end = mesh.position(at_end ? mesh.to(front) : mesh.from(front));
-    const Point& r = mesh.position(at_end ? mesh.from(mesh.prev(back)) : mesh.to(mesh.next(back)));
+    const Point& r = mesh.position(node_behind(mesh, front, at_end));
     const Eigen::Vector3d a = 0.5 * (mesh.position(mesh.from(front)) + mesh.position(mesh.to(front))) - r;
     const Eigen::Vector3d b = end - r;
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A node that a seam may take away: it is replaced by the other one, or moves to the middle.
-bool is_free(const SurfaceMesh& mesh, Vertex v) { return is_movable(mesh, v); }
-
 /// Halves the front edge of the quad P N R S (front runs P → N when `at_end`, N → P otherwise) and cuts the triangle M N R off.
 /// @returns M; `apex` receives R
 Vertex halve(SurfaceMesh& mesh, HalfEdge front, bool at_end, Vertex& apex) {
     const HalfEdge back = M::twin(front);
-    const Vertex n = at_end ? mesh.to(front) : mesh.from(front);
-    // In the quad behind, back runs N → P (at_end) or P → N; R is N's other neighbour there.
-    apex = at_end ? mesh.from(mesh.prev(back)) : mesh.to(mesh.next(back));
+    apex = node_behind(mesh, front, at_end);
     const Point middle = 0.5 * (mesh.position(mesh.from(front)) + mesh.position(mesh.to(front)));
     const FaceInfo info = mesh.info(mesh.face(back));
     const Vertex m = insert_vertex(mesh, M::edge(front), middle);
@@ -81,7 +81,6 @@ Vertex halve(SurfaceMesh& mesh, HalfEdge front, bool at_end, Vertex& apex) {
     const HalfEdge cut = insert_edge(mesh, from_m, from_r);
     mesh.info(mesh.face(cut)) = info;
     mesh.info(mesh.face(M::twin(cut))) = info;
-    (void)n;
     return m;
 }
 
@@ -99,7 +98,7 @@ SeamKind classify_seam(const SurfaceMesh& mesh, HalfEdge h) {
     const double angle = front_angle(mesh, h);
     const double bound = quads_at(mesh, mesh.to(h)) >= 5 ? kSeamAngleCrowded : kSeamAngle;
     if (angle < bound) {
-        if (ratio <= kTransitionRatio) return is_free(mesh, p) || is_free(mesh, q) ? SeamKind::seam : SeamKind::none;
+        if (ratio <= kTransitionRatio) return is_movable(mesh, p) || is_movable(mesh, q) ? SeamKind::seam : SeamKind::none;
         return can_halve(mesh, longer, longer == h) ? SeamKind::transition_seam : SeamKind::none;
     }
     const double size = 0.5 * (mesh.info(mesh.from(longer)).size + mesh.info(mesh.to(longer)).size);
@@ -115,8 +114,8 @@ Vertex seam(SurfaceMesh& mesh, HalfEdge h) {
     Vertex gone = mesh.from(h);
     Vertex kept = mesh.to(following);
     if (gone == kept) return {};
-    if (!is_free(mesh, gone)) std::swap(gone, kept);
-    if (!is_free(mesh, gone)) return {};
+    if (!is_movable(mesh, gone)) std::swap(gone, kept);
+    if (!is_movable(mesh, gone)) return {};
     const HalfEdge across = recover_edge(mesh, kept, gone);
     if (!across.is_valid()) return {};
     const HalfEdge inner = mesh.find_halfedge(mesh.to(following), mesh.from(h));
@@ -134,7 +133,7 @@ Vertex seam(SurfaceMesh& mesh, HalfEdge h) {
     const Eigen::Vector3d n_gone = node_normal(mesh, gone);
     const Eigen::Vector3d n_kept = node_normal(mesh, kept);
     const double before = std::min(worst_quality(mesh, gone, n_gone), worst_quality(mesh, kept, n_kept));
-    const bool middle_allowed = is_free(mesh, kept);
+    const bool middle_allowed = is_movable(mesh, kept);
     const std::array<double, 3> shares{0.5, 0.0, 1.0};
     const HalfEdge gone_spoke = ridge;
     for (const double share : shares) {
