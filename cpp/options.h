@@ -30,6 +30,7 @@ std::vector<Pass> passes_for_anisotropy(int anisotropy);
 struct Options {
     double feature_angle = 40.0;  ///< degrees; edges whose facets turn by more are feature lines
     std::vector<std::array<std::int32_t, 2>> feature_edges;  ///< further feature edges, as pairs of input vertex ids
+    bool repair = false;          ///< mend bad input (see input/repair.h) instead of rejecting it; the report says what was changed
     bool prepare = false;         ///< remesh patches whose triangles are too long and thin for quads (CAD tessellations) before anything else
     double row_growth = 1.2;    ///< limit of the height of a row over that of the row before
     int smoothing_passes = 30;  ///< limit of sweeps of the final smoothing

@@ -55,6 +55,7 @@ void bind_options(py::module_& module) {
     OptionFields(options)
         .add("feature_angle", &Options::feature_angle, "Degrees; edges whose facets turn by more are feature lines")
         .add("feature_edges", &Options::feature_edges, "Further feature edges, as pairs of input vertex ids")
+        .add("repair", &Options::repair, "Mend bad input instead of rejecting it; the report says what was changed")
         .add("prepare", &Options::prepare, "Remesh patches whose triangles are too long and thin for quads (CAD tessellations)")
         .add("row_growth", &Options::row_growth, "Limit of the height of a row over that of the row before")
         .add("smoothing_passes", &Options::smoothing_passes, "Limit of sweeps of the final smoothing")
