@@ -87,9 +87,8 @@ class Pipeline {
         end();
 
         begin("parity", 0.25, 0.26);
-        const ParityOptions after_rows{.sources_are_segmented = true};
-        report().parity_splits = refine_small_patches(mesh_, after_rows);
-        const ParityResult parity = make_parity_even(mesh_, after_rows);
+        report().parity_splits = refine_small_patches(mesh_);
+        const ParityResult parity = make_parity_even(mesh_);
         report().parity_splits += parity.splits;
         if (!parity.left.empty()) warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
         end();

@@ -8,11 +8,11 @@
 
 namespace anisoquad {
 
-std::int32_t refine_small_patches(SurfaceMesh& mesh, const ParityOptions& options) {
+std::int32_t refine_small_patches(SurfaceMesh& mesh) {
     const auto may_split = [&](HalfEdge side) {
         const Edge e = SurfaceMesh::edge(side);
         const HalfEdge across = SurfaceMesh::twin(side);
-        return mesh.is_constrained(e) && !(options.sources_are_segmented && mesh.info(e).source) &&
+        return mesh.is_constrained(e) &&
                (mesh.is_boundary(across) || mesh.is_triangle(mesh.face(across)));
     };
     std::vector<Edge> edges;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "features/parity.h"
 #include "mesh/validate.h"
 #include "quad_mesh.h"
 #include "shapes.h"
@@ -45,17 +46,12 @@ TEST(SmallPatches, TrianglesThatShareAFeatureEdgeAreAllOpened) {
     EXPECT_GT(result.report.scaled_jacobian.min, 0.2);
 }
 
-TEST(SmallPatches, LargerPatchesAndSegmentedSourcesStay) {
+TEST(SmallPatches, LargerPatchesStay) {
     for (const Shape& shape : {shapes::grid(3, 3), shapes::cube(2), shapes::torus(9, 5)}) {
         SurfaceMesh mesh = shape.mesh();
         find_features(mesh, {}, {});
         EXPECT_EQ(refine_small_patches(mesh), 0);
     }
-    const Shape shape = triangle({0.5, 0.8, 0.0});
-    SurfaceMesh mesh = shape.mesh();
-    find_features(mesh, std::vector<Source>{stages::source({0, 1})}, {});
-    EXPECT_EQ(refine_small_patches(mesh, {.sources_are_segmented = true}), 0);
-    EXPECT_EQ(refine_small_patches(mesh), 3);
 }
 
 }  // namespace
