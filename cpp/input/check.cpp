@@ -72,15 +72,18 @@ class InputChecker {
 
     void check_facets() const {
         std::vector<std::int32_t> ids;
+        const double size = diagonal(points_, triangles_);
         for (std::size_t f = 0; f < triangles_.size(); ++f) {
             const auto& [a, b, c] = triangles_[f];
-            if (a == b || b == c || c == a || !(flatness(points_[at(a)], points_[at(b)], points_[at(c)]) > kNoArea))
+            if (a == b || b == c || c == a || is_degenerate(points_[at(a)], points_[at(b)], points_[at(c)], size))
                 ids.push_back(static_cast<std::int32_t>(f));
         }
         const std::string flat = count(ids.size(), "facet has", "facets have");
         reject(ErrorCode::degenerate_facets, ElementKind::facet, std::move(ids),
                flat +
-                   " no area: two corners are the same or at the same place, or all three lie on one line. "
+                   " no area: two corners are the same or at the same place, all three lie on one line, or the facet is a mere "
+                   "point "
+                   "beside the model. "
                    "Remove them.");
     }
 

@@ -10,15 +10,15 @@
 namespace anisoquad {
 namespace {
 
-constexpr double kMend = 4.0 * kNoArea;  // above what the check accepts, so that rounding does not decide
-constexpr double kNeedle = 1e-6;         // shortest edge over the longest: below it the facet is a needle, not a cap
-constexpr int kRounds = 50;              // mending can make further degenerate facets; what is left after that is removed
+constexpr double kMargin = 4.0;   // over what the check accepts, so that rounding does not decide
+constexpr double kNeedle = 1e-6;  // shortest edge over the longest: below it the facet is a needle, not a cap
+constexpr int kRounds = 50;       // mending can make further degenerate facets; what is left after that is removed
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 class DegenerateMender {
   public:
-    explicit DegenerateMender(TriangleSoup& soup) : soup_(soup) {}
+    explicit DegenerateMender(TriangleSoup& soup) : soup_(soup), diagonal_(diagonal(soup.points, soup.triangles)) {}
 
     std::int32_t run() {
         std::int32_t mended = 0;
@@ -27,22 +27,24 @@ class DegenerateMender {
             if (found == 0) return mended;
             mended += found;
         }
-        return mended +
-               static_cast<std::int32_t>(std::erase_if(soup_.triangles, [&](const Triangle& t) { return is_degenerate(t); }));
+        return mended + static_cast<std::int32_t>(std::erase_if(soup_.triangles, [&](const Triangle& t) { return is_flat(t); }));
     }
 
   private:
     using Triangle = std::array<std::int32_t, 3>;
 
-    bool is_degenerate(const Triangle& t) const {
-        return !(flatness(soup_.point(t[0]), soup_.point(t[1]), soup_.point(t[2])) > kMend);
+    bool is_flat(const Triangle& t) const {
+        return is_degenerate(soup_.point(t[0]), soup_.point(t[1]), soup_.point(t[2]), diagonal_, kMargin);
+    }
+    bool is_point(const Triangle& t) const {
+        return !(std::max({length(t[0], t[1]), length(t[1], t[2]), length(t[2], t[0])}) > kMargin * kNoSize * diagonal_);
     }
 
     /// Mends the facets that are degenerate now and have no neighbour that was mended before them.
     std::int32_t mend_once() {
         std::vector<std::int32_t> flat;
         for (std::int32_t f = 0; f < soup_.facet_count(); ++f) {
-            if (is_degenerate(soup_.triangles[at(f)])) flat.push_back(f);
+            if (is_flat(soup_.triangles[at(f)])) flat.push_back(f);
         }
         if (flat.empty()) return 0;
         edges_ = sorted_edges(soup_.points.size(), soup_.triangles);
@@ -62,6 +64,12 @@ class DegenerateMender {
 
     bool mend(std::int32_t f) {
         const Triangle t = soup_.triangles[at(f)];
+        if (is_point(t)) {
+            soup_.merge(t[0], t[1]);
+            soup_.merge(t[0], t[2]);
+            remove(f);
+            return true;
+        }
         // The longest edge runs from a to b, the corner c lies beside it.
         std::size_t longest = 0;
         for (std::size_t k = 1; k < 3; ++k) {
@@ -73,7 +81,6 @@ class DegenerateMender {
         const std::int32_t near = length(a, c) <= length(b, c) ? a : b;
         if (!(length(near, c) > kNeedle * length(a, b))) {
             soup_.merge(c, near);
-            if (!(length(a, b) > 0.0)) soup_.merge(a, b);
             remove(f);
             return true;
         }
@@ -122,6 +129,7 @@ class DegenerateMender {
     }
 
     TriangleSoup& soup_;
+    double diagonal_;
     std::vector<DirectedEdge> edges_;
     std::vector<char> touched_;
     std::vector<char> gone_;

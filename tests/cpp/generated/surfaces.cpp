@@ -39,7 +39,7 @@ void grade(Shape& shape, ByteSource& source) {
 void stretch(Shape& shape, ByteSource& source) {
     const auto axis = static_cast<Eigen::Index>(source.below(3));
     const double factor = 1.0 + 49.0 * source.fraction();
-    for (Point& p : shape.points) p[axis] *= source.one_in(512) ? 1.0 : factor;
+    for (Point& p : shape.points) p[axis] *= factor;
 }
 
 /// A neck at x = 0.
@@ -87,6 +87,13 @@ void pull(Shape& shape, ByteSource& source) {
     p += 5.0 * source.fraction() * Point(source.signed_fraction(), source.signed_fraction(), source.signed_fraction());
 }
 
+/// Back to about 2 × 2: modifiers one after the other would reach any size.
+void normalise(Shape& shape) {
+    double size = 0.0;
+    for (const Point& p : shape.points) size = std::max(size, p.cwiseAbs().maxCoeff());
+    if (size > 0.0) shape = shapes::placed(std::move(shape), 1.0 / size, Point::Zero());
+}
+
 void modify(Shape& shape, ByteSource& source) {
     const int steps = source.below(4);
     for (int i = 0; i < steps && !shape.points.empty(); ++i) {
@@ -99,6 +106,7 @@ void modify(Shape& shape, ByteSource& source) {
             case 5: pull(shape, source); break;
             default: jitter(shape, source); break;
         }
+        normalise(shape);
     }
 }
 
