@@ -6,9 +6,9 @@
 
 namespace anisoquad {
 
-/// Gives patches that are too coarse for quads more nodes on their boundary: a patch of one triangle has its three edges
-/// split, so that three quads can fill it. The single split that makes its boundary even would leave it a quad with a flat
-/// corner.
+/// Fills patches that are too coarse for a good quad with three quads a triangle, round the triangle's middle and those of its
+/// edges: patches of one triangle, which the single split that makes their boundary even would leave a quad with a flat corner,
+/// and patches of two triangles that make no convex quad.
 /// @pre comes before make_parity_even()
 /// @returns the number of edges that were split
 std::int32_t refine_small_patches(SurfaceMesh& mesh);

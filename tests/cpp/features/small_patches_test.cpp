@@ -24,7 +24,7 @@ TEST(SmallPatches, ASingleTriangleIsFilledWithGoodQuads) {
     for (const Point& apex : {Point(0.5, 0.8, 0.0), Point(0.0, 1.0, 0.0), Point(0.9, 0.3, 1.0)}) {
         const Shape shape = triangle(apex);
         const QuadMeshResult result = quad_mesh(shape.points, shape.triangles);
-        EXPECT_GE(result.quads.size(), 3u);
+        EXPECT_EQ(result.quads.size(), 3u);
         EXPECT_EQ(result.report.triangles_left, 0);
         EXPECT_GT(result.report.scaled_jacobian.min, 0.25);
     }
@@ -39,11 +39,24 @@ TEST(SmallPatches, TrianglesThatShareAFeatureEdgeAreAllOpened) {
     find_features(mesh, {}, {});
     ASSERT_EQ(find_patches(mesh), 2);
     EXPECT_EQ(refine_small_patches(mesh), 5);
-    EXPECT_EQ(count_odd_components(mesh), 0);
+    EXPECT_EQ(stages::triangle_count(mesh), 0);
+    EXPECT_EQ(stages::quad_count(mesh), 6);
     EXPECT_TRUE(validate(mesh).empty());
     const QuadMeshResult result = quad_mesh(shape.points, shape.triangles);
     EXPECT_EQ(result.quads.size(), 6u);
     EXPECT_GT(result.report.scaled_jacobian.min, 0.2);
+}
+
+TEST(SmallPatches, TwoTrianglesThatMakeNoConvexQuadBecomeSix) {
+    Shape dart;
+    dart.points = {{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}};
+    dart.triangles = {{0, 1, 2}, {0, 2, 3}};
+    const QuadMeshResult result = quad_mesh(dart.points, dart.triangles);
+    EXPECT_EQ(result.quads.size(), 6u);
+    EXPECT_EQ(result.report.inverted, 0);
+    Shape square = dart;
+    square.points[2] = {4, 0, 0};
+    EXPECT_EQ(quad_mesh(square.points, square.triangles).quads.size(), 1u);
 }
 
 TEST(SmallPatches, LargerPatchesStay) {
