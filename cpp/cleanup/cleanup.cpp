@@ -19,7 +19,7 @@ constexpr std::size_t kLeastTries = 500;
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
-constexpr Trial::Demands kRepairAtAnyPrice{-6, 0.4, 0.05};
+constexpr Trial::Demands kRepairAtAnyPrice{-12, 0.4, 0.05, 4.0};
 constexpr int kRepairRounds = 3;
 
 std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
@@ -110,12 +110,10 @@ class Cleaner {
             if (apply_best(demands)) return;
         }
         if (quality > kUnusable) return;
-        Region region;
-        for (const Vertex v : nodes) {
-            if (!growth_.improve(v, {.faces = 60, .steps = 4, .rings = 3, .demands = kRepairAtAnyPrice}, region)) continue;
-            note_change(region);
-            return;
-        }
+        proposals_.clear();
+        propose_inset(mesh_, f, proposals_);
+        sort_out(demands.gain);
+        apply_best(demands);
     }
 
     void find_proposals(Vertex v, int least_gain) {
@@ -128,6 +126,11 @@ class Cleaner {
         propose_edge_rotation(mesh_, v, proposals_);
         propose_hexagon(mesh_, v, proposals_);
         propose_vertex_split(mesh_, v, proposals_);
+        sort_out(least_gain);
+    }
+
+    /// What is possible and gains enough, best first.
+    void sort_out(int least_gain) {
         order_.clear();
         for (std::size_t i = 0; i < proposals_.size(); ++i) {
             Proposal& p = proposals_[i];
