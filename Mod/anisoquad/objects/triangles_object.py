@@ -1,0 +1,53 @@
+"""The triangles of a Part shape in a document."""
+
+import FreeCAD
+
+from ..errors import MeshError
+from . import properties
+
+SCHEMA_VERSION = 1
+
+
+class TrianglesObject(properties.SavedByProperties):
+    """Proxy of a Mesh::FeaturePython that keeps a tessellation of its Shape, made by MeshPart."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+        self._attach_view(obj)
+
+    def add_properties(self, obj):
+        """Add what is missing."""
+        properties.add(obj, "App::PropertyLink", "Shape", "Triangles", "The Part object")
+        properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape")
+        if properties.add(obj, "App::PropertyAngle", "Angle", "Triangles", "Largest angle between the normals of neighbours"):
+            obj.Angle = 15.0
+        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
+            obj.SchemaVersion = SCHEMA_VERSION
+        properties.hide(obj, "SchemaVersion")
+
+    def execute(self, obj):
+        """Tessellate. Raises MeshError when there is no shape."""
+        import MeshPart
+
+        if obj.Shape is None or not hasattr(obj.Shape, "Shape") or obj.Shape.Shape.isNull():
+            raise MeshError("Shape: no Part object is chosen.", code="empty_mesh")
+        mesh = MeshPart.meshFromShape(Shape=obj.Shape.Shape, LinearDeflection=obj.Deflection.Value,
+                                      AngularDeflection=obj.Angle.getValueAs("rad").Value, Relative=False)
+        obj.Mesh = mesh
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+        self._attach_view(obj)
+
+    @staticmethod
+    def _attach_view(obj):
+        if FreeCAD.GuiUp:
+            from ..viewproviders.triangles_view_provider import attach
+
+            attach(obj)
+
+
+def is_triangles_of(obj, shape):
+    """True for the tessellation of this Part object."""
+    return properties.is_kind(obj, TrianglesObject) and obj.Shape is shape
