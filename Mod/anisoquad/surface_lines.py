@@ -10,18 +10,16 @@ from .meshing import Options, checked_points, checked_triangles
 
 @dataclass(frozen=True)
 class EdgeHit:
-    """Where a ray meets a surface.
+    """The mesh edge that a ray points at.
 
-    facet   -- index of the triangle
-    point   -- (3,) coordinates
-    edge    -- (from, to): ends of the triangle's edge next to the point
-    nearest -- the one of them that is nearer
+    facet -- index of the triangle that it meets first, -1 when it passes beside the surface
+    point -- (3,) where it meets the triangle, else where it passes the edge
+    edge  -- (from, to): the edge's ends
     """
 
     facet: int
     point: np.ndarray
     edge: tuple
-    nearest: int
 
 
 class SurfaceLines:
@@ -36,10 +34,10 @@ class SurfaceLines:
         self.points = checked_points(points)
         self._surface = _core.PickSurface(self.points, checked_triangles(triangles), angle, [tuple(edge) for edge in feature_edges])
 
-    def edge_on_ray(self, origin, direction):
-        """The EdgeHit where a ray meets the surface first, or None."""
-        hit = self._surface.edge_on_ray(_vector(origin), _vector(direction))
-        return None if hit is None else EdgeHit(hit[0], np.array(hit[1]), hit[2], hit[3])
+    def edge_on_ray(self, origin, direction, reach=0.0):
+        """The EdgeHit of a ray, or None. Feature lines, and edges beside the outline, count up to `reach` from the ray."""
+        hit = self._surface.edge_on_ray(_vector(origin), _vector(direction), reach)
+        return None if hit is None else EdgeHit(hit[0], np.array(hit[1]), hit[2])
 
     def best_path(self, start, end):
         """Vertex ids of the path between two vertices that follows ridges and feature lines; empty when there is none."""

@@ -52,11 +52,10 @@ py::tuple row_edges(const Points& points, const Triangles& triangles, const std:
     return py::make_tuple(to_array(std::move(ends)), to_array(std::move(pass)));
 }
 
-py::object edge_hit(const PickSurface& surface, const Point& origin, const Point& direction) {
-    const EdgeHit hit = edge_on_ray(surface, origin, direction);
-    if (hit.facet < 0) return py::none();
-    return py::make_tuple(hit.facet, py::make_tuple(hit.point.x(), hit.point.y(), hit.point.z()), py::make_tuple(hit.from, hit.to),
-                          hit.nearest);
+py::object edge_hit(const PickSurface& surface, const Point& origin, const Point& direction, double reach) {
+    const EdgeHit hit = edge_on_ray(surface, origin, direction, reach);
+    if (hit.from < 0) return py::none();
+    return py::make_tuple(hit.facet, py::make_tuple(hit.point.x(), hit.point.y(), hit.point.z()), py::make_tuple(hit.from, hit.to));
 }
 
 py::tuple imprinted(const PickSurface& surface, const Ids& path) {
@@ -88,10 +87,10 @@ void bind_picking(py::module_& module) {
         .def(py::init(&make), py::arg("points"), py::arg("triangles"), py::arg("feature_angle"), py::arg("feature_edges") = EdgeList{})
         .def(
             "edge_on_ray",
-            [](const PickSurface& surface, const Coordinates& origin, const Coordinates& direction) {
-                return edge_hit(surface, Point(origin.data()), Point(direction.data()));
+            [](const PickSurface& surface, const Coordinates& origin, const Coordinates& direction, double reach) {
+                return edge_hit(surface, Point(origin.data()), Point(direction.data()), reach);
             },
-            py::arg("origin"), py::arg("direction"), "(facet, point, (from, to), nearest vertex), or None")
+            py::arg("origin"), py::arg("direction"), py::arg("reach") = 0.0, "(facet, point, (from, to)), or None")
         .def("best_path", &best_path, py::arg("start"), py::arg("end"), "Vertex ids along ridges and feature lines")
         .def("whole_line", &whole_line, py::arg("start"), py::arg("end"), "Vertex ids of the line through a mesh edge")
         .def("suggest_lines", &suggest_lines, "Vertex ids of lines that look like leading and trailing edges")

@@ -10,6 +10,7 @@ from ..viewproviders.line_node import LineNode
 _HOVER_COLOUR = (1.0, 0.8, 0.0)
 _PATH_COLOUR = (0.80, 0.0, 0.0)
 _SAME_PLACE = 4  # pixels between the two presses of a double click
+_REACH = 6  # pixels from the mouse within which feature lines, and edges beside the outline, are meant
 
 
 class EdgePicker:
@@ -57,8 +58,10 @@ class EdgePicker:
 
     def edge_at(self, position):
         """The EdgeHit under a place of the view (pixels from its lower left), or None."""
-        start, end = self._view.projectPointToLine((int(position[0]), int(position[1])))
-        return self._path.lines.edge_on_ray(start, end - start)
+        x, y = int(position[0]), int(position[1])
+        start, end = self._view.projectPointToLine((x, y))
+        pixel = (self._view.getPointOnFocalPlane(x + 1, y) - self._view.getPointOnFocalPlane(x, y)).Length
+        return self._path.lines.edge_on_ray(start, end - start, _REACH * pixel)
 
     def _coordinates(self, vertices):
         return [tuple(point) for point in self._path.lines.points[list(vertices)].tolist()]

@@ -1,0 +1,56 @@
+"""Picking a source on the wing by the mouse."""
+
+import FreeCADGui
+from PySide import QtCore
+from window import WindowTest, wait
+
+
+class Picking(WindowTest):
+    def setUp(self):
+        super().setUp()
+        self.select(self.base)
+        self.run_command("AnisoQuad_AddSource")
+        self.source = self.doc.getObject("Source")
+        self.form = self.panel("SourcePanel")
+
+    def on_leading_edge(self, index):
+        """The middle of an edge of the leading edge."""
+        return self.middle(self.leading_edge[index], self.leading_edge[index + 1])
+
+    def test_two_clicks_take_the_edges_between_them(self):
+        self.assertTrue(self.form.findChild(object, "pick").isChecked())
+        self.click(self.on_leading_edge(10))
+        self.assertTrue(self.form.findChild(object, "edges").text().startswith("1"))
+        self.click(self.on_leading_edge(60))
+        self.assertEqual(self.form.findChild(object, "edges").text(), "51")
+        self.assertEqual(self.form.findChild(object, "aspect").text().split()[0], "1:16")
+        self.screenshot("picking")
+        self.button("OK").click()
+        wait()
+        self.assertIn(self.source.Vertices, (self.leading_edge[10:62], self.leading_edge[10:62][::-1]))
+        self.assertEqual(self.source.EdgeCount, 51)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_a_double_click_takes_the_whole_line(self):
+        self.click(self.on_leading_edge(40), times=2)
+        self.button("OK").click()
+        wait()
+        self.assertEqual(set(self.source.Vertices), set(self.leading_edge))
+
+    def test_ctrl_click_cuts_and_esc_leaves(self):
+        self.click(self.on_leading_edge(40), times=2)
+        wait(seconds=0.6)
+        self.click(self.on_leading_edge(20), QtCore.Qt.ControlModifier)
+        self.assertEqual(self.form.findChild(object, "edges").text(), str(len(self.leading_edge) - 1 - 21))
+        self.key(QtCore.Qt.Key_Escape)
+        self.assertFalse(self.form.findChild(object, "pick").isChecked())
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        self.click(self.on_leading_edge(90))
+        self.assertEqual(self.form.findChild(object, "edges").text(), str(len(self.leading_edge) - 1 - 21))
+
+    def test_cancel_takes_everything_back(self):
+        self.click(self.on_leading_edge(40), times=2)
+        self.button("Cancel").click()
+        wait()
+        self.assertIsNone(self.doc.getObject("Source"))
+        self.assertEqual(self.doc.UndoCount, 0)

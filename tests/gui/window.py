@@ -1,0 +1,126 @@
+"""What the tests do in the window: wait, move the mouse, press keys, take pictures."""
+
+import json
+import time
+import unittest
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import Mesh
+from PySide import QtCore, QtGui
+
+from anisoquad.compat import qt_widgets
+
+ROOT = Path(__file__).resolve().parents[2]
+DATA = ROOT / "tests" / "data"
+SCREENSHOTS = ROOT / "build" / "screenshots"
+
+
+def wait(condition=lambda: False, seconds=0.2):
+    """Let the window work until the condition holds. Returns whether it did."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        qt_widgets().QApplication.processEvents()
+        if condition():
+            return True
+        time.sleep(0.005)
+    return condition()
+
+
+class WindowTest(unittest.TestCase):
+    """Has a document with a wing, seen from above, that is closed at the end."""
+
+    WING = "wing_delta"
+
+    def setUp(self):
+        FreeCADGui.activateWorkbench("AnisoQuadWorkbench")
+        self.doc = FreeCAD.newDocument("GuiTest")
+        self.doc.UndoMode = 1
+        self.addCleanup(self.close)
+        self.base = self.doc.addObject("Mesh::Feature", "Wing")
+        self.base.Mesh = Mesh.Mesh(str(DATA / f"{self.WING}.off"))
+        self.doc.recompute()
+        self.leading_edge = json.loads((DATA / f"{self.WING}.json").read_text())["leading_edge"]
+        self.view = FreeCADGui.ActiveDocument.ActiveView
+        self.view.setAnimationEnabled(False)
+        self.view.viewTop()
+        self.view.fitAll()
+        wait()
+
+    def close(self):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+        wait()
+
+    def select(self, *objects):
+        FreeCADGui.Selection.clearSelection()
+        for obj in objects:
+            FreeCADGui.Selection.addSelection(obj)
+        wait(seconds=0.05)
+
+    def run_command(self, name):
+        FreeCADGui.runCommand(name)
+        wait(seconds=0.1)
+
+    def panel(self, name):
+        """The widget of the open task panel."""
+        widget = FreeCADGui.getMainWindow().findChild(qt_widgets().QWidget, name)
+        self.assertIsNotNone(widget, f"no panel {name}")
+        return widget
+
+    def button(self, text):
+        """A standard button of the task panel."""
+        for button in FreeCADGui.getMainWindow().findChildren(qt_widgets().QPushButton):
+            if button.text().replace("&", "") == text and button.isVisible():
+                return button
+        raise AssertionError(f"no button {text}")
+
+    def place(self, point):
+        """(x, y) of a point of space in the view's widget."""
+        x, y = self.view.getPointOnScreen(FreeCAD.Vector(*point))
+        viewport = self.view.graphicsView().viewport()
+        ratio = viewport.devicePixelRatioF()
+        return QtCore.QPoint(round(x / ratio), round(viewport.height() - 1 - y / ratio))
+
+    def mouse(self, kind, place, button=QtCore.Qt.LeftButton, modifiers=QtCore.Qt.NoModifier):
+        viewport = self.view.graphicsView().viewport()
+        pressed = QtCore.Qt.NoButton if kind in (QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonRelease) else button
+        event = QtGui.QMouseEvent(kind, QtCore.QPointF(place), QtCore.QPointF(viewport.mapToGlobal(place)),
+                                  QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseMove else button, pressed, modifiers)
+        qt_widgets().QApplication.sendEvent(viewport, event)
+        wait(seconds=0.02)
+
+    def hover(self, point):
+        self.mouse(QtCore.QEvent.MouseMove, self.place(point))
+
+    def click(self, point, modifiers=QtCore.Qt.NoModifier, times=1):
+        place = self.place(point)
+        self.mouse(QtCore.QEvent.MouseMove, place, modifiers=modifiers)
+        for time_ in range(times):
+            kind = QtCore.QEvent.MouseButtonDblClick if time_ else QtCore.QEvent.MouseButtonPress
+            self.mouse(kind, place, modifiers=modifiers)
+            self.mouse(QtCore.QEvent.MouseButtonRelease, place, modifiers=modifiers)
+        if times == 1:  # the next click is not the second of a double click
+            wait(seconds=qt_widgets().QApplication.doubleClickInterval() / 1000.0 + 0.05)
+
+    def key(self, key):
+        viewport = self.view.graphicsView().viewport()
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            qt_widgets().QApplication.sendEvent(viewport, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier))
+        wait(seconds=0.05)
+
+    def screenshot(self, name):
+        """A picture of the whole window."""
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        wait(seconds=0.1)
+        window = FreeCADGui.getMainWindow()
+        picture = window.windowHandle().screen().grabWindow(window.winId())
+        self.assertTrue(picture.save(str(SCREENSHOTS / f"{name}.png")))
+
+    def middle(self, a, b):
+        """The middle of two points of the base mesh."""
+        points = self.base.Mesh.Points
+        return (points[a].Vector + points[b].Vector) * 0.5
