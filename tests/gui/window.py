@@ -1,6 +1,8 @@
 """What the tests do in the window: wait, move the mouse, press keys, take pictures."""
 
 import json
+import os
+import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -8,6 +10,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 import Mesh
+import numpy as np
 from PySide import QtCore, QtGui
 
 from anisoquad.compat import qt_widgets
@@ -44,6 +47,9 @@ class WindowTest(unittest.TestCase):
         self.leading_edge = json.loads((DATA / f"{self.WING}.json").read_text())["leading_edge"]
         self.view = FreeCADGui.ActiveDocument.ActiveView
         self.view.setAnimationEnabled(False)
+        window = FreeCADGui.getMainWindow()
+        docks = [dock for dock in window.findChildren(qt_widgets().QDockWidget) if dock.objectName() == "Combo View"]
+        window.resizeDocks(docks, [400] * len(docks), QtCore.Qt.Horizontal)
         self.view.viewTop()
         self.view.fitAll()
         wait()
@@ -119,6 +125,34 @@ class WindowTest(unittest.TestCase):
         window = FreeCADGui.getMainWindow()
         picture = window.windowHandle().screen().grabWindow(window.winId())
         self.assertTrue(picture.save(str(SCREENSHOTS / f"{name}.png")))
+
+    def pixels_like(self, colour, tolerance=40):
+        """How many of the view's pixels have nearly this colour (three numbers up to 255)."""
+        wait(seconds=0.1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "view.png")
+            self.view.saveImage(path, 600, 400, "Current")
+            image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
+        lines = np.frombuffer(bytes(image.constBits()), np.uint8).reshape(image.height(), image.bytesPerLine())
+        pixels = lines[:, : 3 * image.width()].reshape(-1, 3).astype(int)
+        return int((np.abs(pixels - colour).max(axis=1) <= tolerance).sum())
+
+    def make_quad_mesh(self, **keywords):
+        """A quad mesh of the wing with its leading edge as source, meshed without a panel; one step of undo of its own."""
+        import anisoquad
+
+        self.doc.openTransaction("make")
+        obj = anisoquad.make_quad_mesh(self.doc, base=self.base, **{"sources": [self.leading_edge], "anisotropy": 4, **keywords})
+        self.doc.recompute()
+        self.doc.commitTransaction()
+        wait(seconds=0.1)
+        return obj
+
+    def wait_for_mesh(self, form):
+        """Until the panel's worker is done."""
+        self.assertTrue(wait(lambda: form.findChild(object, "cancel").isEnabled(), 5), "meshing did not start")
+        self.assertTrue(wait(lambda: not form.findChild(object, "cancel").isEnabled(), 60), "meshing did not end")
+        wait(seconds=0.1)
 
     def middle(self, a, b):
         """The middle of two points of the base mesh."""

@@ -5,12 +5,14 @@ import numpy as np
 
 from .. import convert
 from ..compat import global_placement
+from ..errors import MeshError
 from ..second_order import SecondOrder
 from . import properties
 from .mesh_job import MeshJob, MeshRun, base_mesh
 from .option_properties import add_options
 from .report_properties import add_report, show_report
 from .stored_result import pack, unpack
+from .undo_observer import observe
 
 SCHEMA_VERSION = 2
 
@@ -32,6 +34,7 @@ class QuadMeshObject(properties.SavedByProperties):
     def _restart(self):
         self.error = None
         self._runs = []
+        observe()
 
     def add_properties(self, obj):
         """Add what is missing, so that objects of older files get the newer properties with their defaults."""
@@ -74,6 +77,13 @@ class QuadMeshObject(properties.SavedByProperties):
         points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
         second_order = SecondOrder(points, quads) if quads.shape[1] == 8 else None
         self.keep(MeshRun(result_of(obj), second_order, MeshJob.of(obj).key))
+
+    def knows_run(self, obj):
+        """True when execute() would find its result without meshing."""
+        try:
+            return obj.Quads > 0 and self._find(MeshJob.of(obj).key) is not None
+        except MeshError:
+            return False
 
     def _find(self, key):
         return next((run for run in self._runs if run.key == key), None)

@@ -31,6 +31,7 @@ class LineNode:
         for node in (pick, light, material, style, hints, self._coordinates, self._lines, self._points, self._facets):
             if node is not None:
                 self.root.addChild(node)
+        self.clear()  # an index field begins with a zero in it
 
     def show(self, polylines, points=(), facets=()):
         """Draw lists of (x, y, z), single points, and polygons; replaces what was drawn."""

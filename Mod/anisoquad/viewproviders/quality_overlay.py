@@ -33,7 +33,9 @@ class QualityOverlay:
         faces = coin.SoIndexedFaceSet()
         _set_indices(faces.coordIndex, self._mesh.quads)
         offset = coin.SoPolygonOffset()
-        for node in (hints, coordinates, offset, self._material, binding, faces, self._edges(), self._mark_node(), self._legend):
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR  # so that the colours are those of the legend
+        for node in (light, hints, coordinates, offset, self._material, binding, faces, self._edges(), self._mark_node(), self._legend):
             self._root.addChild(node)
 
     def _edges(self):
@@ -97,7 +99,8 @@ class QualityOverlay:
             annotation.addChild(node)
         place = np.linspace(0.0, 1.0, _STEPS)
         good = 1.0 - place if measure.worst == "high" else place
-        annotation.addChild(_bar(scale_colours(good)))
+        annotation.addChild(_bar(np.ones((2, 3)), (0.01, 0.19), (0.27, 0.77)))
+        annotation.addChild(_bar(scale_colours(good), (0.02, 0.045), (0.3, 0.7)))
         for at in place:
             annotation.addChild(_text(f"{low + at * (high - low):.3g}", 0.055, 0.3 + 0.4 * at - 0.008))
         annotation.addChild(_text(measure.title, 0.02, 0.73))
@@ -112,8 +115,8 @@ def _set_indices(field, polygons):
         field.setValues(0, len(indices), indices)
 
 
-def _bar(colours):
-    """A vertical bar whose colours run from the bottom up."""
+def _bar(colours, across, up):
+    """A rectangle of the view, (from, to) across and up in parts of it, whose colours run from the bottom up."""
     node = coin.SoSeparator()
     binding = coin.SoMaterialBinding()
     binding.value = coin.SoMaterialBinding.PER_VERTEX
@@ -123,8 +126,8 @@ def _bar(colours):
     strip.verticesPerRow = 2
     strip.verticesPerColumn = len(colours)
     for index, colour in enumerate(colours.tolist()):
-        height = 0.3 + 0.4 * index / (len(colours) - 1)
-        for side, x in enumerate((0.02, 0.045)):
+        height = up[0] + (up[1] - up[0]) * index / (len(colours) - 1)
+        for side, x in enumerate(across):
             material.diffuseColor.set1Value(2 * index + side, *colour)
             coordinates.point.set1Value(2 * index + side, x, height, 0.0)
     for child in (material, binding, coordinates, strip):

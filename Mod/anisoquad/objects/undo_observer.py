@@ -1,0 +1,31 @@
+"""Undo and redo bring all properties of a quad mesh back but its FemMesh: this brings that too."""
+
+import FreeCAD
+
+
+class UndoObserver:
+    """Document observer: after undo and redo, quad meshes whose run is still known take it up again, at once."""
+
+    def slotUndoDocument(self, doc):
+        self._refresh(doc)
+
+    def slotRedoDocument(self, doc):
+        self._refresh(doc)
+
+    @staticmethod
+    def _refresh(doc):
+        for obj in doc.Objects:
+            if hasattr(obj, "Proxy") and hasattr(obj.Proxy, "knows_run") and obj.Proxy.knows_run(obj):
+                obj.touch()
+                obj.recompute()
+
+
+_observer = None
+
+
+def observe():
+    """Begin to observe; once a session."""
+    global _observer
+    if _observer is None:
+        _observer = UndoObserver()
+        FreeCAD.addDocumentObserver(_observer)
