@@ -20,11 +20,10 @@ class AnisoQuadWorkbench(FreeCADGui.Workbench):
         if not core_loads():
             return
         from .commands import all_commands
+        from .commands.anisoquad import register
 
         commands = all_commands()
-        for command in commands:
-            if command is not None:
-                FreeCADGui.addCommand(command.NAME, command)
+        register(filter(None, commands))
         names = [command.NAME if command is not None else "Separator" for command in commands]
         self.appendToolbar("AnisoQuad", names)
         self.appendMenu("AnisoQuad", names)

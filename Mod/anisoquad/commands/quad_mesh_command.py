@@ -7,7 +7,7 @@ from PySide.QtCore import QT_TRANSLATE_NOOP
 
 from .. import preferences
 from .command import Command, newest, record, reference
-from .selection import is_mesh, is_mesh_or_shape, only, triangles_of
+from .selection import free_sources, is_mesh, is_mesh_or_shape, only, triangles_of
 
 
 class QuadMeshCommand(Command):
@@ -16,7 +16,8 @@ class QuadMeshCommand(Command):
     NAME = "AnisoQuad_QuadMesh"
     MENU = QT_TRANSLATE_NOOP("AnisoQuad_QuadMesh", "Quad mesh from mesh")
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_QuadMesh",
-                                "Make an all-quad surface mesh of the selected triangle mesh or Part shape")
+                                "Make an all-quad surface mesh of the selected triangle mesh or Part shape,\n"
+                                "with the sources that were added to it before")
     ICON = "quad_mesh"
     SHORTCUT = "Q, M"
 
@@ -29,8 +30,13 @@ class QuadMeshCommand(Command):
         doc.openTransaction("Quad mesh from mesh")
         if not is_mesh(base):
             base = triangles_for(base)
-        order = preferences.element_order()
-        record(f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, base={reference(base)}" + (", element_order=2)" if order == 2 else ")"))
+        how = f"base={reference(base)}"
+        sources = free_sources(base)
+        if sources:
+            how += f", sources=[{', '.join(map(reference, sources))}]"
+        if preferences.element_order() == 2:
+            how += ", element_order=2"
+        record(f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, {how})")
         quads = newest(doc)
         quads.purgeTouched()  # the panel meshes what holds no quads yet, off the window's thread
         FreeCADGui.ActiveDocument.setEdit(quads.Name)

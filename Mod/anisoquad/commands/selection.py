@@ -58,3 +58,11 @@ def quad_meshes_on(base):
     from ..objects.quad_mesh_object import is_quad_mesh
 
     return [obj for obj in base.InList if is_quad_mesh(obj) and obj.Base is base]
+
+
+def free_sources(base):
+    """The source objects on a triangle mesh that no quad mesh uses yet."""
+    from ..objects.source_object import is_source
+
+    used = [source for quads in quad_meshes_on(base) for source in quads.Sources]
+    return [obj for obj in base.InList if is_source(obj) and obj not in used]
