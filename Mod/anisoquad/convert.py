@@ -39,10 +39,14 @@ def mesh_to_arrays(mesh, placement=None):
     return points, facets[:, :3].astype(np.int32)
 
 
-def signature(mesh, placement):
-    """A short text that differs when the mesh or where it stands does."""
-    matrix = " ".join(f"{value:.17g}" for value in placement.Matrix.A)
-    return f"{mesh.CountPoints} {mesh.CountFacets} {zlib.crc32(bms_bytes(mesh)[_POINTS_AT:]):08x} {zlib.crc32(matrix.encode()):08x}"
+def mesh_signature(mesh):
+    """A short text that differs when the points or facets of a Mesh.Mesh do."""
+    return f"{mesh.CountPoints} {mesh.CountFacets} {zlib.crc32(bms_bytes(mesh)[_POINTS_AT:]):08x}"
+
+
+def placement_signature(placement):
+    """A short text that differs when the placement does."""
+    return f"{zlib.crc32(' '.join(f'{value:.17g}' for value in placement.Matrix.A).encode()):08x}"
 
 
 def fem_mesh_of(mesh, second_order=None, source_nodes=()):

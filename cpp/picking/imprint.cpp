@@ -18,7 +18,7 @@ using M = SurfaceMesh;
 using Eigen::Vector3d;
 
 constexpr double kTurn = 0.2;         ///< radians: turns of a zigzag
-constexpr double kTolerance = 1.5;    ///< mean edges of the path: how far a straight stretch may be from it
+constexpr double kTolerance = 2.5;    ///< mean edges: how far a straight stretch may be from the path; on a ridge a third of it
 constexpr double kSnap = 0.05;        ///< mean edges: a node so near to the straight line is on it
 constexpr double kShort = 0.6;        ///< mean edges: nodes on the path that follow nearer are merged
 constexpr double kNear = 0.4;         ///< mean edges: nodes beside the path that are nearer are merged into it
@@ -70,7 +70,14 @@ class Imprinter {
     Imprinter(const PickSurface& surface, std::span<const std::int32_t> path) : surface_(surface), mesh_(surface.mesh) {
         for (const std::int32_t v : path) path_.emplace_back(v);
         keep_ids();
-        for (std::size_t i = 0; i + 1 < path.size(); ++i) spacing_ += mesh_.length(edge(i)) / static_cast<double>(path.size() - 1);
+        ridge_.assign(path.size(), 0.0);
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            spacing_ += mesh_.length(edge(i)) / static_cast<double>(path.size() - 1);
+            const double curvature = std::max(surface.curvature[static_cast<std::size_t>(edge(i).index())], 0.0);
+            const double ridge = curvature / (curvature + 4.0 * surface.mean_curvature);
+            ridge_[i] = std::max(ridge_[i], ridge);
+            ridge_[i + 1] = ridge;
+        }
     }
 
     ImprintResult run() {
@@ -108,7 +115,7 @@ class Imprinter {
         const std::span<const Vertex> stretch(path_.data() + first, last - first + 1);
         if (stretch.size() > 2 && zigzags(mesh_, stretch)) {
             const auto pieces = geodesic_path(mesh_, stretch);
-            const auto [far, distance] = pieces ? farthest(stretch, *pieces) : std::pair(stretch.size() / 2, spacing_ * kTolerance * 2.0);
+            const auto [far, distance] = pieces ? farthest(first, stretch, *pieces) : std::pair(stretch.size() / 2, spacing_ * kTolerance * 2.0);
             if (distance > kTolerance * spacing_) {
                 straighten(first, first + far);
                 straighten(first + far, last);
@@ -130,8 +137,8 @@ class Imprinter {
         return (1.0 - crossing.t) * mesh_.position(mesh_.from(h)) + crossing.t * mesh_.position(mesh_.to(h));
     }
 
-    /// The node of the stretch that is farthest from the pieces, and how far it is.
-    std::pair<std::size_t, double> farthest(std::span<const Vertex> stretch, const std::vector<GeodesicPiece>& pieces) const {
+    /// The node of the stretch that begins with path_[first] that is farthest from the pieces, and how far it is.
+    std::pair<std::size_t, double> farthest(std::size_t first, std::span<const Vertex> stretch, const std::vector<GeodesicPiece>& pieces) const {
         std::vector<Point> line{mesh_.position(pieces.front().from)};
         for (const GeodesicPiece& piece : pieces) {
             for (const Crossing& crossing : piece.crossings) line.push_back(at(crossing));
@@ -142,6 +149,7 @@ class Imprinter {
             double nearest = std::numeric_limits<double>::infinity();
             for (std::size_t k = 0; k + 1 < line.size(); ++k)
                 nearest = std::min(nearest, distance_to_segment(mesh_.position(stretch[i]), line[k], line[k + 1]));
+            nearest *= 1.0 + 2.0 * ridge_[first + i];
             if (nearest > result.second) result = {i, nearest};
         }
         return result;
@@ -221,13 +229,16 @@ class Imprinter {
 
     bool is_new(Vertex v) const { return id_[static_cast<std::size_t>(v.index())] < 0; }
 
+    /// A node that only this path needs.
+    bool is_free(Vertex v) const { return is_new(v) || !is_anchor(v); }
+
     /// Nodes at even distances on the path, none too near beside it, well-shaped triangles.
     void improve() {
         for (std::size_t i = 1; i + 1 < result_path_.size();) {
             const double before = (mesh_.position(result_path_[i]) - mesh_.position(result_path_[i - 1])).norm();
             const double after = (mesh_.position(result_path_[i + 1]) - mesh_.position(result_path_[i])).norm();
             const Vertex target = before <= after ? result_path_[i - 1] : result_path_[i + 1];
-            if (is_new(result_path_[i]) && std::min(before, after) < kShort * spacing_ && merge(result_path_[i], target)) {
+            if (is_free(result_path_[i]) && std::min(before, after) < kShort * spacing_ && merge(result_path_[i], target)) {
                 result_path_.erase(result_path_.begin() + static_cast<std::ptrdiff_t>(i));
                 i = std::max<std::size_t>(i, 2) - 1;
             } else {
@@ -346,7 +357,8 @@ class Imprinter {
     SurfaceMesh mesh_;
     std::vector<Vertex> path_;
     std::vector<bool> was_constrained_;
-    double spacing_ = 0.0;
+    std::vector<double> ridge_;  ///< per node of the path: 0 on a flat or hollow place … 1 on a sharp ridge
+    double spacing_ = 0.0;       ///< mean length of the path's edges
     std::vector<std::int32_t> id_;  ///< per vertex slot: its id in the result, -1 = new
     std::vector<Vertex> result_path_;
     ImprintResult result_;

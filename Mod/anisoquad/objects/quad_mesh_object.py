@@ -4,11 +4,11 @@ import FreeCAD
 import numpy as np
 
 from .. import convert
-from ..compat import global_placement
 from ..errors import MeshError
 from ..second_order import SecondOrder
 from . import properties
-from .mesh_job import MeshJob, MeshRun, base_mesh
+from .base_signature import base_signature
+from .mesh_job import MeshJob, MeshRun
 from .option_properties import add_options
 from .report_properties import add_report, show_report
 from .stored_result import pack, unpack
@@ -62,7 +62,7 @@ class QuadMeshObject(properties.SavedByProperties):
         self.error = None
         self.keep(run)
         obj.FemMesh = convert.fem_mesh_of(run.mesh, run.second_order, convert.source_nodes(run.mesh, job.sources, job.points))
-        obj.BaseSignature = convert.signature(obj.Base.Mesh, global_placement(obj.Base))
+        obj.BaseSignature = base_signature(obj.Base)
         obj.QuadData = pack(run.mesh)
         show_report(obj, run.mesh.report)
 
@@ -97,7 +97,7 @@ class QuadMeshObject(properties.SavedByProperties):
         """FreeCAD does not touch what depends on a mesh when the mesh is assigned: compare."""
         if "BaseSignature" not in obj.PropertiesList or obj.Base is None or not obj.Base.isDerivedFrom("Mesh::Feature"):
             return False
-        return obj.BaseSignature != convert.signature(base_mesh(obj), global_placement(obj.Base))
+        return obj.BaseSignature != base_signature(obj.Base)
 
     def onDocumentRestored(self, obj):
         self._restart()

@@ -2,6 +2,8 @@
 
 import FreeCAD
 
+from .base_signature import MeshObserver
+
 
 class UndoObserver:
     """Document observer: after undo and redo, quad meshes whose run is still known take it up again, at once."""
@@ -20,12 +22,12 @@ class UndoObserver:
                 obj.recompute()
 
 
-_observer = None
+_observers = []
 
 
 def observe():
-    """Begin to observe; once a session."""
-    global _observer
-    if _observer is None:
-        _observer = UndoObserver()
-        FreeCAD.addDocumentObserver(_observer)
+    """Begin to observe documents; once a session."""
+    if not _observers:
+        _observers.extend([UndoObserver(), MeshObserver()])
+        for observer in _observers:
+            FreeCAD.addDocumentObserver(observer)
