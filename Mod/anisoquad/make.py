@@ -59,16 +59,16 @@ def make_source(doc, base, vertices=(), edges=None, passes=None, anisotropy=None
     return obj
 
 
-def make_triangles(doc, shape, deflection=None, name="Triangles"):
+def make_triangles(doc, shape, deflection=0.0, name="Triangles"):
     """Add the tessellation of a Part object to a document, as the base of a quad mesh.
 
-    deflection -- largest distance of the triangles from the shape; None: a thousandth of the shape's diagonal
+    deflection -- largest distance of the triangles from the shape; 0: a thousandth of the shape's diagonal
     Returns the Mesh::FeaturePython.
     """
     obj = doc.addObject("Mesh::FeaturePython", name)
     TrianglesObject(obj)
     obj.Shape = shape
-    obj.Deflection = 1e-3 * shape.Shape.BoundBox.DiagonalLength if deflection is None else deflection
+    obj.Deflection = deflection
     return obj
 
 

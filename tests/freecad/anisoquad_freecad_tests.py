@@ -3,3 +3,5 @@
 from test_convert import *  # noqa: F401,F403
 from test_quad_mesh_object import *  # noqa: F401,F403
 from test_rings import *  # noqa: F401,F403
+from test_source_object import *  # noqa: F401,F403
+from test_wing_shell import *  # noqa: F401,F403

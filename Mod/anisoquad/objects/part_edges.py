@@ -22,14 +22,24 @@ def vertices_on_edges(points, triangles, edges):
         raise MeshError("The chosen edges are not one line.", code="invalid_source")
     path = []
     for edge in chains[0]:
-        ids = _along(edge, points, tolerance)
-        path += ids[1:] if path and ids and path[-1] == ids[0] else ids
+        path = _joined(path, _along(edge, points, tolerance))
     _check(path, triangles)
     return path
 
 
+def _joined(path, ids):
+    """The path with what follows it, turned round where only that makes the ends meet."""
+    if not path or not ids:
+        return path or ids
+    if path[-1] not in (ids[0], ids[-1]) and path[0] in (ids[0], ids[-1]):
+        path = path[::-1]
+    if path[-1] == ids[-1]:
+        ids = ids[::-1]
+    return path + ids[path[-1] == ids[0] :]
+
+
 def _along(edge, points, tolerance):
-    """Ids of the points on an edge, in its direction."""
+    """Ids of the points on an edge, one way or the other."""
     box = edge.BoundBox
     low = np.array([box.XMin, box.YMin, box.ZMin]) - tolerance
     high = np.array([box.XMax, box.YMax, box.ZMax]) + tolerance
@@ -43,7 +53,7 @@ def _along(edge, points, tolerance):
     ids = [index for _, index in found]
     if edge.isClosed() and ids:
         ids.append(ids[0])
-    return ids[::-1] if edge.Orientation == "Reversed" else ids
+    return ids
 
 
 def _place(edge, point, tolerance):

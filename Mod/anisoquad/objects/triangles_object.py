@@ -7,6 +7,8 @@ from . import properties
 
 SCHEMA_VERSION = 1
 
+_DEFLECTION = 1e-3  # of the shape's diagonal
+
 
 class TrianglesObject(properties.SavedByProperties):
     """Proxy of a Mesh::FeaturePython that keeps a tessellation of its Shape, made by MeshPart."""
@@ -19,7 +21,7 @@ class TrianglesObject(properties.SavedByProperties):
     def add_properties(self, obj):
         """Add what is missing."""
         properties.add(obj, "App::PropertyLink", "Shape", "Triangles", "The Part object")
-        properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape")
+        properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape; 0: a thousandth of its diagonal")
         if properties.add(obj, "App::PropertyAngle", "Angle", "Triangles", "Largest angle between the normals of neighbours"):
             obj.Angle = 15.0
         if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
@@ -32,9 +34,10 @@ class TrianglesObject(properties.SavedByProperties):
 
         if obj.Shape is None or not hasattr(obj.Shape, "Shape") or obj.Shape.Shape.isNull():
             raise MeshError("Shape: no Part object is chosen.", code="empty_mesh")
-        mesh = MeshPart.meshFromShape(Shape=obj.Shape.Shape, LinearDeflection=obj.Deflection.Value,
-                                      AngularDeflection=obj.Angle.getValueAs("rad").Value, Relative=False)
-        obj.Mesh = mesh
+        shape = obj.Shape.Shape
+        deflection = obj.Deflection.Value or _DEFLECTION * shape.BoundBox.DiagonalLength
+        obj.Mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=deflection,
+                                          AngularDeflection=obj.Angle.getValueAs("rad").Value, Relative=False)
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
