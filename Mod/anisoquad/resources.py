@@ -9,6 +9,10 @@ def icon(name):
     return str(FOLDER / "icons" / f"{name}.svg")
 
 
+def icons():
+    return str(FOLDER / "icons")
+
+
 def ui_file(name):
     return str(FOLDER / "ui" / f"{name}.ui")
 

@@ -3,7 +3,7 @@
 import FreeCAD
 import FreeCADGui
 
-from .resources import icon, translations, ui_file
+from .resources import icon, icons, translations, ui_file
 
 
 class AnisoQuadWorkbench(FreeCADGui.Workbench):
@@ -14,6 +14,7 @@ class AnisoQuadWorkbench(FreeCADGui.Workbench):
     Icon = icon("anisoquad")
 
     def Initialize(self):
+        FreeCADGui.addIconPath(icons())
         FreeCADGui.addLanguagePath(translations())
         FreeCADGui.updateLocale()
         FreeCADGui.addPreferencePage(ui_file("preferences"), "AnisoQuad")

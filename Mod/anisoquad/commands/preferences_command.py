@@ -12,7 +12,7 @@ class PreferencesCommand(Command):
     NAME = "AnisoQuad_Preferences"
     MENU = QT_TRANSLATE_NOOP("AnisoQuad_Preferences", "Preferences")
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_Preferences", "Defaults of new quad meshes and sources")
-    ICON = "preferences"
+    ICON = "preferences-anisoquad"
 
     def IsActive(self):
         return True
