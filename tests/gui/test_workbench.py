@@ -5,7 +5,7 @@ from PySide import QtGui
 from window import WindowTest, wait
 
 from anisoquad.commands import all_commands
-from anisoquad.compat import qt_widgets
+from anisoquad.compat import qt_widgets, translate
 
 NEEDS_NOTHING = ("AnisoQuad_Preferences",)
 
@@ -42,6 +42,13 @@ class Workbench(WindowTest):
         self.doc.recompute()
         self.select(box)
         self.assertEqual(active(), {*NEEDS_NOTHING, "AnisoQuad_QuadMesh", "AnisoQuad_AddSource"})
+
+    def test_it_speaks_the_users_language(self):
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        for language, text in (("German", "Vierecknetz aus Netz"), ("French", "Maillage quadrangulaire à partir d’un maillage")):
+            FreeCADGui.setLocale(language)
+            wait(seconds=0.1)
+            self.assertEqual(translate("AnisoQuad_QuadMesh", "Quad mesh from mesh"), text)
 
     def test_the_window_shows_it(self):
         self.select(self.base)

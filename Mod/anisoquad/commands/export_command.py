@@ -24,7 +24,7 @@ class ExportCommand(Command):
         return super().IsActive() and quads is not None and quads.Quads > 0
 
     def Activated(self):
-        title = translate(self.NAME, "Export quad mesh")
+        title = translate("AnisoQuad_Export", "Export quad mesh")
         path, _ = qt_widgets().QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), title, "", _FILTERS)
         if path:
             export(selected_quad_mesh(), path)
