@@ -240,6 +240,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Quelle</translation>
   </message>
   <message>
+   <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
+   <translation>Quelle {source}, Durchgang {pass_} (1:{ratio}): Reihen {counts}</translation>
+  </message>
+  <message>
    <source>Stop</source>
    <translation>Anhalten</translation>
   </message>

@@ -240,6 +240,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>Source</translation>
   </message>
   <message>
+   <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
+   <translation>Source {source}, passe {pass_} (1:{ratio}) : rangées {counts}</translation>
+  </message>
+  <message>
    <source>Stop</source>
    <translation>Arrêter</translation>
   </message>

@@ -70,4 +70,4 @@ class Guide(WindowTest):
         self.screenshot(name)
         path = str(SCREENSHOTS / f"{name}.png")
         image = QtGui.QImage(path).scaledToWidth(WIDTH, QtCore.Qt.SmoothTransformation)
-        image.convertToFormat(QtGui.QImage.Format_Indexed8, QtCore.Qt.DiffuseDither).save(path)
+        self.assertTrue(image.convertToFormat(QtGui.QImage.Format_RGB888).save(path))

@@ -1,5 +1,7 @@
 """A run's figures as text for a panel."""
 
+import json
+
 from ..compat import translate
 
 
@@ -12,7 +14,19 @@ def figures_text(obj):
             quads=obj.Quads, triangles=obj.TrianglesIn, reduction=obj.Reduction),
         translate("QuadMeshPanel", "Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %").format(
             worst=obj.MinScaledJacobian, mean=obj.MeanScaledJacobian, regular=obj.RegularNodes),
-        *obj.RowsPerPass,
+        *_rows(json.loads(obj.Report)["passes"]),
         *(translate("QuadMeshPanel", "Warning: {}").format(warning) for warning in obj.Warnings),
     ]
     return "\n".join(lines)
+
+
+def _rows(passes):
+    """One line a source and pass, with the rows of both sides."""
+    rows = {}
+    for entry in passes:
+        key = entry["source"] + 1, entry["pass"], entry["ratio"]
+        rows.setdefault(key, {}).setdefault(entry["side"], []).append(entry["rows"])
+    for (source, pass_, ratio), sides in rows.items():
+        counts = ", ".join(f"{'/'.join(map(str, counts))} {translate('SourcePanel', side)}" for side, counts in sides.items())
+        yield translate("QuadMeshPanel", "Source {source}, pass {pass_} (1:{ratio}): rows {counts}").format(
+            source=source, pass_=pass_, ratio=ratio, counts=counts)
