@@ -14,7 +14,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 ADDONS     ?= $(shell $(FREECADCMD) -c "import FreeCAD; print('addons=' + FreeCAD.getUserAppDataDir() + 'Mod')" </dev/null 2>/dev/null \
                 | sed -n 's/.*addons=//p')
 
-.PHONY: deps build translations install-addon demo test test-core test-python test-freecad test-gui bench format
+.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format
 
 deps:
 	@if dpkg-query -W -f='$${db:Status-Status} ' $(PACKAGES) 2>/dev/null | tr ' ' '\n' | grep -c '^installed$$' \
@@ -38,6 +38,10 @@ install-addon: build
 	@test -n "$(ADDONS)" || { echo "install-addon: $(FREECADCMD) does not tell its folder; give ADDONS=…"; exit 1; }
 	mkdir -p "$(ADDONS)"
 	ln -sfnT "$(CURDIR)" "$(ADDONS)/AnisoQuad"
+
+# The user's guide with the table of options, in build/docs.
+docs: build
+	$(PYTHON) docs/make_docs.py
 
 demo: deps build
 	$(FREECADCMD) resources/examples/wing_demo.py </dev/null
