@@ -3,7 +3,7 @@
 from .errors import MeshError
 from .io import write_mesh
 from .objects.option_properties import set_options
-from .objects.quad_mesh_object import QuadMeshObject, result_of
+from .objects.quad_mesh_object import QuadMeshObject, result_of, second_order_of
 from .objects.source_object import SourceObject, is_source
 from .objects.triangles_object import TrianglesObject
 from .source import Source, format_passes, parse_passes
@@ -77,7 +77,7 @@ def export_quad_mesh(obj, path):
     mesh = result_of(obj)
     if mesh is None:
         raise MeshError(f"{obj.Label} holds no quads yet.", code="empty_mesh")
-    write_mesh(path, mesh)
+    write_mesh(path, mesh, second_order_of(obj))
 
 
 def _how(passes, anisotropy):

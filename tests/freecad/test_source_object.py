@@ -1,5 +1,7 @@
 """Sources in a document: picked ids, edges of a Part object, triangles of a shape."""
 
+import os
+import tempfile
 import unittest
 
 import FreeCAD
@@ -96,6 +98,20 @@ class SecondOrder(DocumentTest):
         lines = {node for name, nodes in groups.items() if name.startswith("Line") for node in nodes}
         on_boundary = {node for node, point in place.items() if 0.0 in (point.x, point.y) or 6.0 in (point.x, point.y)}
         self.assertEqual(lines, on_boundary)
+
+    def test_it_is_exported_in_second_order_also_after_reopening(self):
+        quads = anisoquad.make_quad_mesh(self.doc, base=self.base, element_order=2)
+        with self.assertRaises(anisoquad.MeshError):
+            anisoquad.export_quad_mesh(quads, "empty.inp")
+        self.doc.recompute()
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [os.path.join(folder, name) for name in ("fresh.inp", "stored.inp")]
+            anisoquad.export_quad_mesh(quads, paths[0])
+            quads.Proxy._restart()
+            anisoquad.export_quad_mesh(quads, paths[1])
+            first, second = (open(path, encoding="ascii").read() for path in paths)
+        self.assertIn("TYPE=S8", first)
+        self.assertEqual(first, second)
 
     def test_the_corners_come_back_from_the_document(self):
         quads = anisoquad.make_quad_mesh(self.doc, base=self.base, element_order=2)

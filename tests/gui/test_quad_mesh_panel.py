@@ -4,8 +4,10 @@ import os
 import tempfile
 import zlib
 
+import FemGui
 import FreeCAD
 import FreeCADGui
+import ObjectsFem
 from window import WindowTest, wait
 
 
@@ -128,6 +130,14 @@ class QuadMeshPanel(WindowTest):
         self.button("Cancel").click()
         wait()
         self.assertEqual(self.nodes(quads), before)
+
+    def test_it_joins_the_active_analysis(self):
+        analysis = ObjectsFem.makeAnalysis(self.doc, "Analysis")
+        FemGui.setActiveAnalysis(analysis)
+        self.select(self.base)
+        self.run_command("AnisoQuad_QuadMesh")
+        self.wait_for_mesh(self.panel("QuadMeshPanel"))
+        self.assertIn(self.doc.getObject("QuadMesh"), analysis.Group)
 
     def test_a_part_shape_is_triangulated_first(self):
         box = self.doc.addObject("Part::Cylinder", "Tube")

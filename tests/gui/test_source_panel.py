@@ -1,6 +1,7 @@
 """Picking a source on the wing by the mouse."""
 
 import FreeCADGui
+import Part
 from PySide import QtCore
 from window import WindowTest, wait
 
@@ -54,3 +55,23 @@ class Picking(WindowTest):
         wait()
         self.assertIsNone(self.doc.getObject("Source"))
         self.assertEqual(self.doc.UndoCount, 0)
+
+
+class PartEdges(WindowTest):
+    def test_edges_that_are_selected_in_the_view_are_the_line(self):
+        tube = self.doc.addObject("Part::Cylinder", "Tube")
+        self.doc.recompute()
+        circle = next(f"Edge{i + 1}" for i, edge in enumerate(tube.Shape.Edges) if isinstance(edge.Curve, Part.Circle))
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(tube, circle)
+        self.run_command("AnisoQuad_AddSource")
+        form = self.panel("SourcePanel")
+        self.assertFalse(form.findChild(object, "pick").isEnabled())
+        self.assertIn("closed", form.findChild(object, "edges").text())
+        self.button("OK").click()
+        wait()
+        source = self.doc.getObject("Source")
+        self.assertEqual(source.Edges, (tube, [circle]))
+        self.assertGreater(source.EdgeCount, 8)
+        self.doc.undo()
+        self.assertIsNone(self.doc.getObject("Triangles"))

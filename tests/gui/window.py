@@ -150,8 +150,9 @@ class WindowTest(unittest.TestCase):
 
     def wait_for_mesh(self, form):
         """Until the panel's worker is done."""
-        self.assertTrue(wait(lambda: form.findChild(object, "cancel").isEnabled(), 5), "meshing did not start")
-        self.assertTrue(wait(lambda: not form.findChild(object, "cancel").isEnabled(), 60), "meshing did not end")
+        stop, progress = form.findChild(object, "cancel"), form.findChild(object, "progress")
+        self.assertTrue(wait(lambda: stop.isEnabled() or progress.value() == progress.maximum(), 5), "meshing did not start")
+        self.assertTrue(wait(lambda: not stop.isEnabled(), 60), "meshing did not end")
         wait(seconds=0.1)
 
     def middle(self, a, b):

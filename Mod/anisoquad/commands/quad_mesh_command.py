@@ -38,6 +38,9 @@ class QuadMeshCommand(Command):
             how += ", element_order=2"
         record(f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, {how})")
         quads = newest(doc)
+        analysis = active_analysis(doc)
+        if analysis is not None:
+            record(f"{reference(analysis)}.addObject({reference(quads)})")
         quads.purgeTouched()  # the panel meshes what holds no quads yet, off the window's thread
         FreeCADGui.ActiveDocument.setEdit(quads.Name)
 
@@ -49,3 +52,11 @@ def triangles_for(shape):
         record(f"anisoquad.make_triangles(FreeCAD.ActiveDocument, {reference(shape)})", "FreeCAD.ActiveDocument.recompute()")
         triangles = newest(FreeCAD.ActiveDocument)
     return triangles
+
+
+def active_analysis(doc):
+    """The FEM analysis that is active in this document, or None."""
+    import FemGui
+
+    analysis = FemGui.getActiveAnalysis()
+    return analysis if analysis is not None and analysis.Document is doc else None

@@ -74,9 +74,7 @@ class QuadMeshObject(properties.SavedByProperties):
         """Take over the run that the object holds, from a file or from before, so that undo and cancel find it again."""
         if obj.Quads == 0 or "Touched" in obj.State or self._find(MeshJob.of(obj).key):
             return
-        points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
-        second_order = SecondOrder(points, quads) if quads.shape[1] == 8 else None
-        self.keep(MeshRun(result_of(obj), second_order, MeshJob.of(obj).key))
+        self.keep(MeshRun(result_of(obj), second_order_of(obj), MeshJob.of(obj).key))
 
     def knows_run(self, obj):
         """True when execute() would find its result without meshing."""
@@ -127,3 +125,9 @@ def result_of(obj):
         quads = np.ascontiguousarray(quads[:, :4])
         points = points[: quads.max() + 1]
     return unpack(obj.QuadData, points, quads, obj.Report)
+
+
+def second_order_of(obj):
+    """The SecondOrder of a quad mesh object; None when its quads have four nodes."""
+    points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
+    return SecondOrder(points, quads) if quads.shape[1] == 8 else None
