@@ -41,7 +41,8 @@ PickSurface make(const Points& points, const Triangles& triangles, double featur
 }
 
 /// (ends (2E,3) float64, pass (E,) int32)
-py::tuple row_edges(const Points& points, const Triangles& triangles, const std::vector<Source>& sources, const Options& options) {
+py::tuple row_edges(const Points& points, const Triangles& triangles, const std::vector<Source>& sources,
+                    const Options& options) {
     const std::vector<RowEdge> edges = preview_rows(point_span(points), triangle_span(triangles), sources, options);
     std::vector<Point> ends;
     std::vector<std::int32_t> pass;
@@ -55,7 +56,8 @@ py::tuple row_edges(const Points& points, const Triangles& triangles, const std:
 py::object edge_hit(const PickSurface& surface, const Point& origin, const Point& direction, double reach) {
     const EdgeHit hit = edge_on_ray(surface, origin, direction, reach);
     if (hit.from < 0) return py::none();
-    return py::make_tuple(hit.facet, py::make_tuple(hit.point.x(), hit.point.y(), hit.point.z()), py::make_tuple(hit.from, hit.to));
+    return py::make_tuple(hit.facet, py::make_tuple(hit.point.x(), hit.point.y(), hit.point.z()),
+                          py::make_tuple(hit.from, hit.to));
 }
 
 py::tuple imprinted(const PickSurface& surface, const Ids& path) {
@@ -84,7 +86,8 @@ py::array projected(const PickSurface& surface, const Points& points, const Mask
 void bind_picking(py::module_& module) {
     using Coordinates = std::array<double, 3>;
     py::class_<PickSurface>(module, "PickSurface", "The triangulation on which lines are picked. See anisoquad.surface_lines.")
-        .def(py::init(&make), py::arg("points"), py::arg("triangles"), py::arg("feature_angle"), py::arg("feature_edges") = EdgeList{})
+        .def(py::init(&make), py::arg("points"), py::arg("triangles"), py::arg("feature_angle"),
+             py::arg("feature_edges") = EdgeList{})
         .def(
             "edge_on_ray",
             [](const PickSurface& surface, const Coordinates& origin, const Coordinates& direction, double reach) {
@@ -97,7 +100,8 @@ void bind_picking(py::module_& module) {
         .def(
             "is_zigzag", [](const PickSurface& surface, const Ids& path) { return is_zigzag(surface, path); }, py::arg("path"))
         .def("imprint", &imprinted, py::arg("path"), "(points, triangles, path, number of straightened pieces)")
-        .def("onto_surface", &projected, py::arg("points"), py::arg("on_line"), "(N,3) points on the surface, or on its feature lines");
+        .def("onto_surface", &projected, py::arg("points"), py::arg("on_line"),
+             "(N,3) points on the surface, or on its feature lines");
     module.def("preview_rows", &row_edges, py::arg("points"), py::arg("triangles"), py::arg("sources"), py::arg("options"),
                "(ends (2E,3), pass (E,)) of the edges of the rows that quad_mesh() would build");
 }

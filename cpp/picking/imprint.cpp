@@ -17,14 +17,14 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-constexpr double kTurn = 0.2;         ///< radians: turns of a zigzag
-constexpr double kTolerance = 2.5;    ///< mean edges: how far a straight stretch may be from the path; on a ridge a third of it
-constexpr double kSnap = 0.05;        ///< mean edges: a node so near to the straight line is on it
-constexpr double kShort = 0.6;        ///< mean edges: nodes on the path that follow nearer are merged
-constexpr double kNear = 0.4;         ///< mean edges: nodes beside the path that are nearer are merged into it
-constexpr double kLong = 1.6;         ///< mean edges: longer edges of the path are halved
-constexpr double kSameSide = 0.5;     ///< cosine: how far a triangle may turn when a node beside it goes
-constexpr double kFlat = 0.94;        ///< cosine: two triangles that may exchange their diagonal
+constexpr double kTurn = 0.2;       ///< radians: turns of a zigzag
+constexpr double kTolerance = 2.5;  ///< mean edges: how far a straight stretch may be from the path; on a ridge a third of it
+constexpr double kSnap = 0.05;      ///< mean edges: a node so near to the straight line is on it
+constexpr double kShort = 0.6;      ///< mean edges: nodes on the path that follow nearer are merged
+constexpr double kNear = 0.4;       ///< mean edges: nodes beside the path that are nearer are merged into it
+constexpr double kLong = 1.6;       ///< mean edges: longer edges of the path are halved
+constexpr double kSameSide = 0.5;   ///< cosine: how far a triangle may turn when a node beside it goes
+constexpr double kFlat = 0.94;      ///< cosine: two triangles that may exchange their diagonal
 constexpr std::int32_t kPathLine = std::numeric_limits<std::int32_t>::max();
 
 double angle_between(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last) {
@@ -87,7 +87,8 @@ class Imprinter {
             result_path_ = {path_.front()};
             for (std::size_t first = 0; first + 1 < path_.size();) {
                 std::size_t last = first + 1;
-                while (!was_constrained_[first] && last + 1 < path_.size() && !is_anchor(path_[last]) && !is_half_way(last)) ++last;
+                while (!was_constrained_[first] && last + 1 < path_.size() && !is_anchor(path_[last]) && !is_half_way(last))
+                    ++last;
                 straighten(first, last);
                 first = last;
             }
@@ -115,7 +116,8 @@ class Imprinter {
         const std::span<const Vertex> stretch(path_.data() + first, last - first + 1);
         if (stretch.size() > 2 && zigzags(mesh_, stretch)) {
             const auto pieces = geodesic_path(mesh_, stretch);
-            const auto [far, distance] = pieces ? farthest(first, stretch, *pieces) : std::pair(stretch.size() / 2, spacing_ * kTolerance * 2.0);
+            const auto [far, distance] =
+                pieces ? farthest(first, stretch, *pieces) : std::pair(stretch.size() / 2, spacing_ * kTolerance * 2.0);
             if (distance > kTolerance * spacing_) {
                 straighten(first, first + far);
                 straighten(first + far, last);
@@ -138,7 +140,8 @@ class Imprinter {
     }
 
     /// The node of the stretch that begins with path_[first] that is farthest from the pieces, and how far it is.
-    std::pair<std::size_t, double> farthest(std::size_t first, std::span<const Vertex> stretch, const std::vector<GeodesicPiece>& pieces) const {
+    std::pair<std::size_t, double> farthest(std::size_t first, std::span<const Vertex> stretch,
+                                            const std::vector<GeodesicPiece>& pieces) const {
         std::vector<Point> line{mesh_.position(pieces.front().from)};
         for (const GeodesicPiece& piece : pieces) {
             for (const Crossing& crossing : piece.crossings) line.push_back(at(crossing));
@@ -253,7 +256,8 @@ class Imprinter {
         }
         flip_near();
         for (std::size_t i = 0; i + 1 < result_path_.size(); ++i) {
-            while (merge_apex(result_path_[i], result_path_[i + 1]) || merge_apex(result_path_[i + 1], result_path_[i])) {}
+            while (merge_apex(result_path_[i], result_path_[i + 1]) || merge_apex(result_path_[i + 1], result_path_[i])) {
+            }
         }
         flip_near();
     }
@@ -332,7 +336,8 @@ class Imprinter {
         if (left.dot(right) < kFlat) return false;
         flip(mesh_, e);
         const Vector3d normal = left + right;
-        if (doubled_area(mesh_, mesh_.face(h)).dot(normal) > 0.0 && doubled_area(mesh_, mesh_.face(M::twin(h))).dot(normal) > 0.0) return true;
+        if (doubled_area(mesh_, mesh_.face(h)).dot(normal) > 0.0 && doubled_area(mesh_, mesh_.face(M::twin(h))).dot(normal) > 0.0)
+            return true;
         flip(mesh_, e);
         return false;
     }
@@ -357,8 +362,8 @@ class Imprinter {
     SurfaceMesh mesh_;
     std::vector<Vertex> path_;
     std::vector<bool> was_constrained_;
-    std::vector<double> ridge_;  ///< per node of the path: 0 on a flat or hollow place … 1 on a sharp ridge
-    double spacing_ = 0.0;       ///< mean length of the path's edges
+    std::vector<double> ridge_;     ///< per node of the path: 0 on a flat or hollow place … 1 on a sharp ridge
+    double spacing_ = 0.0;          ///< mean length of the path's edges
     std::vector<std::int32_t> id_;  ///< per vertex slot: its id in the result, -1 = new
     std::vector<Vertex> result_path_;
     ImprintResult result_;
@@ -374,7 +379,9 @@ std::vector<Vertex> checked(const PickSurface& surface, std::span<const std::int
 
 }  // namespace
 
-bool is_zigzag(const PickSurface& surface, std::span<const std::int32_t> path) { return zigzags(surface.mesh, checked(surface, path)); }
+bool is_zigzag(const PickSurface& surface, std::span<const std::int32_t> path) {
+    return zigzags(surface.mesh, checked(surface, path));
+}
 
 ImprintResult imprint(const PickSurface& surface, std::span<const std::int32_t> path) {
     checked(surface, path);

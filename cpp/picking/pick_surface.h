@@ -16,9 +16,10 @@ struct PickSurface {
     std::vector<std::array<std::int32_t, 3>> triangles;
     SurfaceMesh mesh;                ///< vertex i is point i, face i is triangle i
     std::vector<FeatureLine> lines;  ///< EdgeInfo::line is an index into them
-    std::vector<double> curvature;   ///< per edge: turn of the facets over their width across it; positive where convex, 0 at the boundary
-    double mean_curvature = 0.0;     ///< of |curvature|, weighted by the edges' lengths, and never below a tenth over the diagonal
-    double diagonal = 0.0;           ///< of the bounding box
+    std::vector<double>
+        curvature;  ///< per edge: turn of the facets over their width across it; positive where convex, 0 at the boundary
+    double mean_curvature = 0.0;  ///< of |curvature|, weighted by the edges' lengths, and never below a tenth over the diagonal
+    double diagonal = 0.0;        ///< of the bounding box
 };
 
 /// @param feature_angle, feature_edges as in Options

@@ -14,13 +14,15 @@ namespace {
 
 using M = SurfaceMesh;
 
-constexpr double kLargestTurn = 0.64;   ///< cosine is 0.8: of two edges of a ridge that follow each other
-constexpr double kFading = 0.35;        ///< a ridge ends where its curvature falls below this part of the strongest so far
-constexpr double kRidge = 6.0;          ///< times the surface's mean curvature: what begins a ridge
-constexpr double kShortest = 0.25;      ///< of the diagonal: what is worth a suggestion
-constexpr double kApart = 0.04;         ///< of the diagonal: nearer lines are the same
+constexpr double kLargestTurn = 0.64;  ///< cosine is 0.8: of two edges of a ridge that follow each other
+constexpr double kFading = 0.35;       ///< a ridge ends where its curvature falls below this part of the strongest so far
+constexpr double kRidge = 6.0;         ///< times the surface's mean curvature: what begins a ridge
+constexpr double kShortest = 0.25;     ///< of the diagonal: what is worth a suggestion
+constexpr double kApart = 0.04;        ///< of the diagonal: nearer lines are the same
 
-double curvature(const PickSurface& surface, HalfEdge h) { return surface.curvature[static_cast<std::size_t>(M::edge(h).index())]; }
+double curvature(const PickSurface& surface, HalfEdge h) {
+    return surface.curvature[static_cast<std::size_t>(M::edge(h).index())];
+}
 
 double length(const PickSurface& surface, const std::vector<std::int32_t>& path) {
     double sum = 0.0;
@@ -101,7 +103,8 @@ void mark_near(const PickSurface& surface, const std::vector<std::int32_t>& path
         const auto [distance, v] = queue.top();
         queue.pop();
         if (distance > way[static_cast<std::size_t>(v)]) continue;
-        for (const HalfEdge h : surface.mesh.outgoing(Vertex(v))) reach_vertex(surface.mesh.to(h).index(), distance + surface.mesh.length(h));
+        for (const HalfEdge h : surface.mesh.outgoing(Vertex(v)))
+            reach_vertex(surface.mesh.to(h).index(), distance + surface.mesh.length(h));
     }
 }
 
@@ -150,7 +153,8 @@ std::vector<std::vector<std::int32_t>> suggest_lines(const PickSurface& surface)
         if (is_near(surface.mesh.from(h)) || is_near(surface.mesh.to(h))) continue;
         take(ridge_through(surface, h));
     }
-    std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return length(surface, a) > length(surface, b); });
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const auto& a, const auto& b) { return length(surface, a) > length(surface, b); });
     return found;
 }
 

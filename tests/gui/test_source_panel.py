@@ -1,5 +1,6 @@
 """Picking a source on the wing by the mouse."""
 
+import FreeCAD
 import FreeCADGui
 import Part
 from PySide import QtCore
@@ -38,6 +39,22 @@ class Picking(WindowTest):
         wait()
         self.assertEqual(set(self.source.Vertices), set(self.leading_edge))
 
+    def test_hover_lights_up_the_nearest_edge(self):
+        self.hover(self.base.Mesh.BoundBox.Center + FreeCAD.Vector(0, 0, 1))
+        inside = self.pixels_like((255, 204, 0))
+        self.assertGreater(inside, 3)
+        self.hover(FreeCAD.Vector(-0.2, 0.9, 0))
+        self.assertLess(self.pixels_like((255, 204, 0)), inside)
+
+    def test_a_perspective_view_is_picked_in_too(self):
+        self.view.setCameraType("Perspective")
+        self.view.viewTop()
+        self.view.fitAll()
+        wait()
+        self.click(self.on_leading_edge(40), times=2)
+        self.assertEqual(self.form.findChild(object, "edges").text(), str(len(self.leading_edge) - 1))
+        self.view.setCameraType("Orthographic")
+
     def test_ctrl_click_cuts_and_esc_leaves(self):
         self.click(self.on_leading_edge(40), times=2)
         wait(seconds=0.6)
@@ -75,3 +92,20 @@ class PartEdges(WindowTest):
         self.assertGreater(source.EdgeCount, 8)
         self.doc.undo()
         self.assertIsNone(self.doc.getObject("Triangles"))
+
+
+class BadTriangles(WindowTest):
+    def test_what_is_wrong_is_said_and_marked(self):
+        mesh = self.base.Mesh.copy()
+        corners = [mesh.Points[index].Vector for index in mesh.Facets[0].PointIndices]
+        mesh.addFacet(corners[0], corners[1], corners[2] + FreeCAD.Vector(0, 0, 1))
+        self.base.Mesh = mesh
+        for command, name in (("AnisoQuad_AddSource", "SourcePanel"), ("AnisoQuad_SuggestSources", "SuggestPanel")):
+            with self.subTest(name):
+                self.select(self.base)
+                self.run_command(command)
+                self.assertIn("edge", self.panel(name).findChild(object, "hint").text().lower())
+                self.assertGreater(self.pixels_like((255, 51, 0)), 10)
+                self.button("Cancel").click()
+                wait()
+        self.assertEqual(len(self.doc.Objects), 1)

@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide.QtCore import QT_TRANSLATE_NOOP
 
 from .. import preferences
-from .command import Command, newest, record, reference
+from .command import Command, newest, record, reference, transaction
 from .quad_mesh_command import triangles_for
 from .selection import is_mesh, is_mesh_or_shape, only, quad_meshes_on, selected_edges, selected_quad_mesh
 
@@ -27,11 +27,11 @@ class AddSourceCommand(Command):
     def Activated(self):
         quads, edges = selected_quad_mesh(), selected_edges()
         base = quads.Base if quads else edges[0] if edges else only(is_mesh_or_shape)
-        FreeCAD.ActiveDocument.openTransaction("Add anisotropy source")
-        if not is_mesh(base):
-            base = triangles_for(base)
-        source = add_source(base, [quads] if quads else quad_meshes_on(base), preferences.anisotropy(), edges=edges)
-        FreeCADGui.ActiveDocument.setEdit(source.Name)
+        with transaction(FreeCAD.ActiveDocument, "Add anisotropy source", commit=False):
+            if not is_mesh(base):
+                base = triangles_for(base)
+            source = add_source(base, [quads] if quads else quad_meshes_on(base), preferences.anisotropy(), edges=edges)
+            FreeCADGui.ActiveDocument.setEdit(source.Name)
 
 
 def add_source(base, quad_meshes, anisotropy, vertices=None, edges=None):

@@ -38,15 +38,16 @@ def open_transaction(doc, name):
 
 
 @contextmanager
-def transaction(doc, name):
-    """One step of undo, taken back when an exception comes."""
+def transaction(doc, name, commit=True):
+    """One step of undo, taken back when an exception comes; without commit a panel that was opened ends it."""
     doc.openTransaction(name)
     try:
         yield
     except Exception:
         doc.abortTransaction()
         raise
-    doc.commitTransaction()
+    if commit:
+        doc.commitTransaction()
 
 
 def record(*lines):

@@ -6,7 +6,7 @@ import FreeCADGui
 from PySide.QtCore import QT_TRANSLATE_NOOP
 
 from .. import preferences
-from .command import Command, newest, record, reference
+from .command import Command, newest, record, reference, transaction
 from .selection import free_sources, is_mesh, is_mesh_or_shape, only, triangles_of
 
 
@@ -25,24 +25,27 @@ class QuadMeshCommand(Command):
         return super().IsActive() and only(is_mesh_or_shape) is not None
 
     def Activated(self):
-        doc = FreeCAD.ActiveDocument
-        base = only(is_mesh_or_shape)
-        doc.openTransaction("Quad mesh from mesh")
-        if not is_mesh(base):
-            base = triangles_for(base)
-        how = f"base={reference(base)}"
-        sources = free_sources(base)
-        if sources:
-            how += f", sources=[{', '.join(map(reference, sources))}]"
-        if preferences.element_order() == 2:
-            how += ", element_order=2"
-        record(f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, {how})")
-        quads = newest(doc)
-        analysis = active_analysis(doc)
-        if analysis is not None:
-            record(f"{reference(analysis)}.addObject({reference(quads)})")
-        quads.purgeTouched()  # the panel meshes what holds no quads yet, off the window's thread
-        FreeCADGui.ActiveDocument.setEdit(quads.Name)
+        with transaction(FreeCAD.ActiveDocument, "Quad mesh from mesh", commit=False):
+            base = only(is_mesh_or_shape)
+            quads = add_quad_mesh(base if is_mesh(base) else triangles_for(base))
+            quads.purgeTouched()  # the panel meshes what holds no quads yet, off the window's thread
+            FreeCADGui.ActiveDocument.setEdit(quads.Name)
+
+
+def add_quad_mesh(base):
+    """Make a quad mesh of a mesh object, with its free sources, in the active analysis; recorded. Returns the object."""
+    how = f"base={reference(base)}"
+    sources = free_sources(base)
+    if sources:
+        how += f", sources=[{', '.join(map(reference, sources))}]"
+    if preferences.element_order() == 2:
+        how += ", element_order=2"
+    record(f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, {how})")
+    quads = newest(base.Document)
+    analysis = active_analysis(base.Document)
+    if analysis is not None:
+        record(f"{reference(analysis)}.addObject({reference(quads)})")
+    return quads
 
 
 def triangles_for(shape):

@@ -12,6 +12,7 @@ from ..picking.edge_picker import EdgePicker
 from ..resources import ui_file
 from ..source import parse_passes, passes_for_anisotropy
 from ..surface_lines import SurfaceLines
+from .highlight import Highlight
 
 _SIDES = ("both", "left", "right")
 
@@ -29,19 +30,25 @@ class SourcePanel:
         self.form.passes.setText(obj.Passes)
         self.form.sides.setCurrentIndex(_SIDES.index(obj.Sides))
         self.form.imprint.setChecked(obj.Imprint)
-        self.form.pick.setEnabled(not obj.Edges)
-        self.path = PickPath(self._surface(), obj.Vertices)
+        self.highlight = Highlight(FreeCADGui.ActiveDocument.ActiveView)
         self.picker = None
+        self.path = PickPath(self._surface(), obj.Vertices)
+        self.form.pick.setEnabled(self.path.lines is not None and not obj.Edges)
         self.form.pick.toggled.connect(self._toggle_picking)
         self.form.anisotropy.valueChanged.connect(self.show_figures)
         self.form.passes.textChanged.connect(self.show_figures)
         self.show_figures()
-        if not obj.Vertices and not obj.Edges:
-            self.form.pick.setChecked(True)
+        self.form.pick.setChecked(self.form.pick.isEnabled() and not obj.Vertices)
 
     def _surface(self):
+        """The SurfaceLines of the base; None, with the reason shown and marked, where its triangles can not be meshed."""
         points, triangles = convert.mesh_to_arrays(self.obj.Base.Mesh, global_placement(self.obj.Base))
-        return SurfaceLines(points, triangles)
+        try:
+            return SurfaceLines(points, triangles)
+        except MeshError as error:
+            self.form.hint.setText(str(error))
+            self.highlight.show(error, self.obj.Base)
+            return None
 
     def getStandardButtons(self):
         return button_box("Ok", "Cancel")
@@ -63,6 +70,8 @@ class SourcePanel:
 
     def show_figures(self, *_):
         """Length, edges and aspect, as the path and the passes are now."""
+        if self.path.lines is None:
+            return
         length = FreeCAD.Units.Quantity(self.path.length, FreeCAD.Units.Length)
         self.form.length.setText(length.UserString)
         closed = " " + translate("SourcePanel", "(closed)") if self.path.closed else ""
@@ -95,6 +104,7 @@ class SourcePanel:
 
     def _leave(self):
         self._toggle_picking(False)
+        self.highlight.remove()
 
     def _write(self):
         """Set the object's properties; recorded. False, with a message, when they can not be read."""

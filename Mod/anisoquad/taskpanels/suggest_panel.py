@@ -9,9 +9,11 @@ from ..commands.add_source_command import add_source
 from ..commands.command import transaction
 from ..commands.selection import quad_meshes_on
 from ..compat import button_box, global_placement, load_ui, qt_widgets, translate
+from ..errors import MeshError
 from ..resources import ui_file
 from ..surface_lines import SurfaceLines
 from ..viewproviders.line_node import LineNode
+from .highlight import Highlight
 
 _COLOUR, _CURRENT_COLOUR = (0.96, 0.47, 0.0), (0.80, 0.0, 0.0)
 
@@ -25,9 +27,8 @@ class SuggestPanel:
         self.quad_meshes = [quads] if quads else quad_meshes_on(base)
         self.form = load_ui(ui_file("suggest"))
         self.form.anisotropy.setValue(preferences.anisotropy())
-        points, triangles = convert.mesh_to_arrays(base.Mesh, global_placement(base))
-        self.surface = SurfaceLines(points, triangles)
-        self.lines = self.surface.suggest()
+        self.highlight = Highlight(FreeCADGui.ActiveDocument.ActiveView)
+        self.lines = self._suggest()
         self._scene = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
         self._all, self._current = LineNode(_COLOUR, 4), LineNode(_CURRENT_COLOUR, 7)
         for node in (self._all, self._current):
@@ -35,6 +36,20 @@ class SuggestPanel:
         self._fill()
         self.form.lines.itemChanged.connect(self._show)
         self.form.lines.currentRowChanged.connect(self._show)
+
+    def _suggest(self):
+        """The lines; none, with the reason shown and marked, where the triangles can not be meshed."""
+        points, triangles = convert.mesh_to_arrays(self.base.Mesh, global_placement(self.base))
+        try:
+            self.surface = SurfaceLines(points, triangles)
+        except MeshError as error:
+            self.form.hint.setText(str(error))
+            self.highlight.show(error, self.base)
+            return []
+        lines = self.surface.suggest()
+        if not lines:
+            self.form.hint.setText(translate("SuggestPanel", "No long, smooth ridge was found. Pick the line in the view instead."))
+        return lines
 
     def getStandardButtons(self):
         return button_box("Ok", "Cancel")
@@ -50,6 +65,7 @@ class SuggestPanel:
     def reject(self):
         for node in (self._all, self._current):
             self._scene.removeChild(node.root)
+        self.highlight.remove()
         FreeCADGui.Control.closeDialog()
         return True
 
@@ -58,8 +74,6 @@ class SuggestPanel:
         return [line for row, line in enumerate(self.lines) if self.form.lines.item(row).checkState() == QtCore.Qt.Checked]
 
     def _fill(self):
-        if not self.lines:
-            self.form.hint.setText(translate("SuggestPanel", "No long, smooth ridge was found. Pick the line in the view instead."))
         for index, line in enumerate(self.lines):
             length = FreeCAD.Units.Quantity(self.surface.length(line), FreeCAD.Units.Length).UserString
             text = translate("SuggestPanel", "Line {index}: {length}, {edges} edges").format(index=index + 1, length=length, edges=len(line) - 1)

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "picking/picking_shapes.h"
 #include "errors.h"
+#include "picking/picking_shapes.h"
 
 namespace anisoquad {
 namespace {
@@ -20,7 +20,8 @@ TEST(BestPath, NeighboursAreJoinedByEdges) {
     const std::vector<std::int32_t> path = best_path(surface, 14, 150);
     EXPECT_EQ(path.front(), 14);
     EXPECT_EQ(path.back(), 150);
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) EXPECT_TRUE(surface.mesh.find_halfedge(Vertex(path[i]), Vertex(path[i + 1])).is_valid());
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        EXPECT_TRUE(surface.mesh.find_halfedge(Vertex(path[i]), Vertex(path[i + 1])).is_valid());
 }
 
 TEST(BestPath, FollowsAFeatureLineWhereThatIsLonger) {

@@ -50,7 +50,8 @@ void expect_sound(const PickSurface& surface, const ImprintResult& result) {
 
 TEST(Imprint, MakesAZigzagOnAPlaneAStraightLine) {
     const PickSurface surface = shapes::pick_surface(shapes::unstructured(20));
-    for (const auto& [from, to] : {std::pair(10 * 21 + 1, 13 * 21 + 19), std::pair(4 * 21 + 2, 16 * 21 + 15), std::pair(9 * 21 + 2, 9 * 21 + 18)}) {
+    for (const auto& [from, to] :
+         {std::pair(10 * 21 + 1, 13 * 21 + 19), std::pair(4 * 21 + 2, 16 * 21 + 15), std::pair(9 * 21 + 2, 9 * 21 + 18)}) {
         const std::vector<std::int32_t> path = best_path(surface, from, to);
         ASSERT_TRUE(is_zigzag(surface, path));
         const ImprintResult result = imprint(surface, path);
@@ -58,7 +59,8 @@ TEST(Imprint, MakesAZigzagOnAPlaneAStraightLine) {
         expect_sound(surface, result);
         EXPECT_EQ(result.path.front(), from);
         EXPECT_EQ(result.path.back(), to);
-        const double straight = (surface.points[static_cast<std::size_t>(to)] - surface.points[static_cast<std::size_t>(from)]).norm();
+        const double straight =
+            (surface.points[static_cast<std::size_t>(to)] - surface.points[static_cast<std::size_t>(from)]).norm();
         EXPECT_LT(shapes::length(result.points, result.path), 1.004 * straight);
         EXPECT_FALSE(is_zigzag(shapes::pick_surface({result.points, result.triangles}), result.path));
         EXPECT_GT(smallest_angle(result), 5.0 * std::numbers::pi / 180.0);

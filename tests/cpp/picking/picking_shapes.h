@@ -13,8 +13,8 @@ inline PickSurface pick_surface(const Shape& shape, double feature_angle = 40.0,
     return make_pick_surface(shape.points, shape.triangles, feature_angle, feature_edges);
 }
 
-/// A grid of n × n cells whose inner points are moved at random and whose diagonals are then chosen by Delaunay's rule: paths over
-/// it zigzag.
+/// A grid of n × n cells whose inner points are moved at random and whose diagonals are then chosen by Delaunay's rule: paths
+/// over it zigzag.
 inline Shape unstructured(int n) {
     Shape shape = grid(n, n);
     std::mt19937 random(7);  // the same numbers on every machine, unlike the distributions
@@ -26,8 +26,8 @@ inline Shape unstructured(int n) {
     for (std::size_t cell = 0; cell + 1 < shape.triangles.size(); cell += 2) {
         auto& first = shape.triangles[cell];
         auto& second = shape.triangles[cell + 1];
-        const std::array<std::int32_t, 4> q =
-            first[2] == second[1] ? std::array{first[0], first[1], first[2], second[2]} : std::array{first[0], first[1], second[1], first[2]};
+        const std::array<std::int32_t, 4> q = first[2] == second[1] ? std::array{first[0], first[1], first[2], second[2]}
+                                                                    : std::array{first[0], first[1], second[1], first[2]};
         const auto length = [&](std::size_t a, std::size_t b) {
             return (shape.points[static_cast<std::size_t>(q[a])] - shape.points[static_cast<std::size_t>(q[b])]).norm();
         };

@@ -28,7 +28,8 @@ TEST(PreviewRows, AreTheRowsThatAreBuilt) {
     for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
         if (mesh.row[q] == 0) continue;
         ++row_quads;
-        for (const std::int32_t v : mesh.quads[q]) highest_in_rows = std::max(highest_in_rows, mesh.points[static_cast<std::size_t>(v)].y());
+        for (const std::int32_t v : mesh.quads[q])
+            highest_in_rows = std::max(highest_in_rows, mesh.points[static_cast<std::size_t>(v)].y());
     }
     EXPECT_NEAR(highest, highest_in_rows, 0.5);
     EXPECT_GE(edges.size(), 2 * row_quads);

@@ -69,7 +69,8 @@ TEST(SuggestLines, NoTwoAreNearEachOther) {
 }
 
 TEST(SuggestLines, TheLongestComesFirst) {
-    const shapes::Shape two = shapes::joined(shapes::roof(10, 4, 90.0), shapes::placed(shapes::roof(16, 4, 90.0), 1.0, Point(0, 12, 0)));
+    const shapes::Shape two =
+        shapes::joined(shapes::roof(10, 4, 90.0), shapes::placed(shapes::roof(16, 4, 90.0), 1.0, Point(0, 12, 0)));
     const PickSurface surface = shapes::pick_surface(two);
     const auto lines = suggest_lines(surface);
     ASSERT_EQ(lines.size(), 2U);
