@@ -6,10 +6,15 @@ JOBS       ?= $(shell nproc)
 CMAKE_FLAGS ?=
 
 PACKAGES = g++ cmake libeigen3-dev pybind11-dev libgtest-dev libbenchmark-dev \
-           python3 python3-dev python3-numpy python3-meshio freecad-python3
+           python3 python3-dev python3-numpy python3-meshio python3-matplotlib python3-pivy freecad freecad-python3 \
+           xvfb xauth libgl1-mesa-dri calculix-ccx qttools5-dev-tools
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: deps build demo test test-core test-python test-freecad bench format
+# Where `make install-addon` links the workbench: FreeCAD's own folder for add-ons.
+ADDONS     ?= $(shell $(FREECADCMD) -c "import FreeCAD; print('addons=' + FreeCAD.getUserAppDataDir() + 'Mod')" </dev/null 2>/dev/null \
+                | sed -n 's/.*addons=//p')
+
+.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format
 
 deps:
 	@if dpkg-query -W -f='$${db:Status-Status} ' $(PACKAGES) 2>/dev/null | tr ' ' '\n' | grep -c '^installed$$' \
@@ -22,12 +27,28 @@ build:
 	cmake --preset release $(CMAKE_FLAGS)
 	cmake --build --preset release --parallel $(JOBS)
 
+	$(MAKE) --no-print-directory translations
+
+# Qt's compiled translations; where lrelease is missing the workbench speaks English.
+translations:
+	@if command -v lrelease >/dev/null; then lrelease -silent resources/translations/*.ts; \
+	    else echo "translations: no lrelease (qttools5-dev-tools), left out"; fi
+
+install-addon: build
+	@test -n "$(ADDONS)" || { echo "install-addon: $(FREECADCMD) does not tell its folder; give ADDONS=…"; exit 1; }
+	mkdir -p "$(ADDONS)"
+	ln -sfnT "$(CURDIR)" "$(ADDONS)/AnisoQuad"
+
+# The user's guide with the table of options, in build/docs.
+docs: build
+	$(PYTHON) docs/make_docs.py
+
 demo: deps build
 	$(FREECADCMD) resources/examples/wing_demo.py </dev/null
 
 test: deps build
 	ctest --preset release --parallel $(JOBS)
-	$(MAKE) --no-print-directory test-core test-python test-freecad
+	$(MAKE) --no-print-directory test-core test-python test-freecad test-gui
 
 # The core's tests again, with assertions and validate() after every stage.
 test-core:
@@ -41,6 +62,10 @@ test-python:
 # -t has to come before -M: the other way round crashes Debian's FreeCAD.
 test-freecad:
 	PYTHONPATH=tests/freecad $(FREECADCMD) -t anisoquad_freecad_tests -M $(CURDIR) </dev/null
+
+# In a window on a virtual screen; TESTS names a module, class or method of tests/gui.
+test-gui: translations
+	$(PYTHON) tests/gui/run_gui_tests.py $(TESTS)
 
 bench: deps build
 	build/release/tests/benchmark/anisoquad_benchmark

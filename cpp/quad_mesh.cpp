@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "anisotropy/blend_ahead.h"
 #include "anisotropy/local_size.h"
@@ -11,12 +12,14 @@
 #include "features/parity.h"
 #include "features/patches.h"
 #include "features/reference_lines.h"
+#include "features/ridges.h"
 #include "features/small_patches.h"
 #include "input/check.h"
 #include "input/repair.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
 #include "prepare/prepare.h"
+#include "prepare/size_range.h"
 #include "qmorph/node_size.h"
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
@@ -27,6 +30,8 @@ namespace anisoquad {
 namespace {
 
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
+
+constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
 
 /// Moves the model to the origin and gives it the size 1, so that nothing depends on where and how large it is.
 struct Frame {
@@ -52,12 +57,14 @@ struct Frame {
 /// The stages of one run, in order.
 class Pipeline {
   public:
-    Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options, Context& context)
+    Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
+             Context& context)
         : points_(points), triangles_(triangles), sources_(sources), options_(options), context_(context) {}
 
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
         check_options(options_);
+        check_vertex_sizes(options_, points_.size());
         check_input(points_, triangles_);
         const Frame frame(points_, triangles_);
         for (const Point& p : points_) unit_points_.push_back(frame.in(p));
@@ -67,9 +74,9 @@ class Pipeline {
         end();
 
         begin("features", 0.02, 0.05);
-        const std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        std::vector<char> in_fold;
+        const std::vector<FeatureLine> lines = find_lines(frame, in_fold);
         const ReferenceLines reference_lines(mesh_, lines);
-        report().patches = find_patches(mesh_);
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
         for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
@@ -78,19 +85,22 @@ class Pipeline {
 
         begin("prepare", 0.05, 0.1);
         std::vector<Source> sources(sources_.begin(), sources_.end());
-        if (options_.prepare) prepare(sources, reference);
+        const bool remeshed =
+            prepare(sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold});
         end();
+        if (remeshed) snapshot("prepare", frame);
 
         begin("rows", 0.1, 0.25);
         assign_node_sizes(mesh_);
-        build_rows(sources, reference, frame);
+        build_rows(sources, reference, frame, remeshed);
         end();
 
         begin("parity", 0.25, 0.26);
         report().parity_splits = refine_small_patches(mesh_);
         const ParityResult parity = make_parity_even(mesh_);
         report().parity_splits += parity.splits;
-        if (!parity.left.empty()) warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
+        if (!parity.left.empty())
+            warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
         end();
 
         begin("fill", 0.26, 0.7);
@@ -142,17 +152,51 @@ class Pipeline {
         if (topology(mesh_) != before_) throw std::logic_error("the topology changed in stage '" + stage_ + "'");
     }
 
-    void prepare(std::vector<Source>& sources, const ReferenceSurface& reference) {
-        const PrepareResult prepared = prepare_triangles(mesh_, unit_points_, triangles_, reference, sources, context_);
-        if (prepared.patches == 0) return;
-        warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.poor) +
-             " of their triangles are too long and thin for quads (" + std::to_string(prepared.triangles_before) + " triangles became " +
-             std::to_string(prepared.triangles_after) + ")");
+    /// Feature lines and patches. Where triangles are to be remeshed, folds that would be lost become lines too.
+    std::vector<FeatureLine> find_lines(const Frame& frame, std::vector<char>& in_fold) {
+        std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        report().patches = find_patches(mesh_);
+        const std::vector<char> chosen = patches_to_remesh(mesh_, options_);
+        if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
+        const SizeRange range = size_range(unit_points_, triangles_, 1.0, frame.scale, options_);
+        Ridges ridges = find_ridges(mesh_, chosen, {.width = kFoldWidth * range.largest});
+        in_fold = std::move(ridges.in_fold);
+        if (ridges.edges.empty()) return lines;
+        lines = find_features(mesh_, sources_, options_, ridges.edges);
+        report().patches = find_patches(mesh_);
+        return lines;
     }
 
-    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, const Frame& frame) {
+    /// @returns true if triangles were remeshed
+    bool prepare(std::vector<Source>& sources, const PrepareInput& input) {
+        const PrepareResult prepared = prepare_triangles(mesh_, input, sources, options_, context_);
+        if (prepared.patches == 0) return false;
+        std::string why;
+        if (prepared.poor > 0) {
+            why += "; " + std::to_string(prepared.poor) + " of them have triangles too long and thin for quads (" +
+                   std::to_string(prepared.poor_triangles) + " triangles)";
+        }
+        if (prepared.graded > 0)
+            why += "; in " + std::to_string(prepared.graded) + " of them the triangles' size changes too fast";
+        warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.triangles_before) +
+             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + std::to_string(prepared.size) +
+             why);
+        return true;
+    }
+
+    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, const Frame& frame, bool remeshed) {
         if (std::all_of(sources.begin(), sources.end(), [](const Source& s) { return s.passes.empty(); })) return;
-        const LocalSize size(unit_points_, triangles_, reference);
+        // Sizes are those of the triangles in use.
+        std::vector<Point> points;
+        std::vector<std::array<std::int32_t, 3>> triangles;
+        ReferenceSurface in_use;
+        if (remeshed) {
+            MeshArrays arrays = to_arrays(mesh_);
+            points = std::move(arrays.points);
+            for (const auto& f : arrays.faces) triangles.push_back({f[0], f[1], f[2]});
+            in_use = ReferenceSurface(points, triangles);
+        }
+        const LocalSize size = remeshed ? LocalSize(points, triangles, in_use) : LocalSize(unit_points_, triangles_, reference);
         const auto observe = [&](const std::string& stage) {
 #ifdef ANISOQUAD_VALIDATE
             stage_ = stage;
@@ -222,12 +266,30 @@ class Pipeline {
     std::chrono::steady_clock::time_point started_;
 };
 
+/// Sizes for the vertices that the repair added too: that of the vertex at their place, or the least of their neighbours'.
+void extend_sizes(std::vector<double>& sizes, const RepairResult& repaired) {
+    const std::size_t given = sizes.size();
+    sizes.resize(repaired.points.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t v = given; v < sizes.size(); ++v) {
+        if (repaired.origin[v] >= 0) sizes[v] = sizes[static_cast<std::size_t>(repaired.origin[v])];
+    }
+    for (const auto& t : repaired.triangles) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::int32_t v : t) least = std::min(least, sizes[static_cast<std::size_t>(v)]);
+        for (const std::int32_t v : t) {
+            if (repaired.origin[static_cast<std::size_t>(v)] < 0)
+                sizes[static_cast<std::size_t>(v)] = std::min(sizes[static_cast<std::size_t>(v)], least);
+        }
+    }
+}
+
 /// The whole way for a mended surface. Ids in the result are those of the input.
 QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, Options options,
                              Context& context) {
     context.begin_stage("repair", 0.0, 0.01);
     const RepairResult repaired = repair_surface(points, triangles, sources, options.feature_edges);
     options.feature_edges = repaired.feature_edges;
+    if (options.vertex_size.size() == points.size()) extend_sizes(options.vertex_size, repaired);
     QuadMeshResult result = Pipeline(repaired.points, repaired.triangles, repaired.sources, options, context).run();
     for (std::int32_t& input : result.node_input) input = input >= 0 ? repaired.origin[static_cast<std::size_t>(input)] : -1;
     result.report.repair = repaired.report;
@@ -238,8 +300,8 @@ QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles,
 
 }  // namespace
 
-QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
-                         Context& context) {
+QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources,
+                         const Options& options, Context& context) {
     if (options.repair) return mesh_repaired(points, triangles, sources, options, context);
     return Pipeline(points, triangles, sources, options, context).run();
 }

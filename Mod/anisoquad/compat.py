@@ -1,4 +1,4 @@
-"""The one place for differences between FreeCAD's versions."""
+"""The one place for differences between FreeCAD's versions: written for 0.20 to 1.1."""
 
 
 def global_placement(obj):
@@ -15,3 +15,43 @@ def qt_widgets():
     except ImportError:
         from PySide import QtGui as QtWidgets
     return QtWidgets
+
+
+def load_ui(path):
+    """The widget that a .ui file describes."""
+    import FreeCADGui
+
+    return FreeCADGui.PySideUic.loadUi(path)
+
+
+def translate(context, text):
+    """The text in the user's language."""
+    import FreeCAD
+
+    if hasattr(FreeCAD, "Qt"):
+        return FreeCAD.Qt.translate(context, text)
+    from PySide import QtCore
+
+    return QtCore.QCoreApplication.translate(context, text)
+
+
+def button_box(*names):
+    """Standard buttons of a task panel, as getStandardButtons() has to return them: an int up to 0.21, a flag later."""
+    box = qt_widgets().QDialogButtonBox
+    buttons = box.StandardButton(0) if hasattr(box, "StandardButton") else 0
+    for name in names:
+        buttons = buttons | getattr(box, name)
+    import FreeCAD
+
+    return int(buttons) if FreeCAD.Version()[0] == "0" else buttons
+
+
+def button_name(button):
+    """Name of the standard button that a task panel's clicked() got, or an empty text."""
+    box = qt_widgets().QDialogButtonBox
+    return next((name for name in ("Ok", "Apply", "Cancel", "Close") if int(getattr(box, name)) == int(button)), "")
+
+
+def is_shape(obj):
+    """True for an object with a CAD shape."""
+    return obj.isDerivedFrom("Part::Feature")

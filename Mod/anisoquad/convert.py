@@ -39,23 +39,72 @@ def mesh_to_arrays(mesh, placement=None):
     return points, facets[:, :3].astype(np.int32)
 
 
-def signature(mesh, placement):
-    """A short text that differs when the mesh or where it stands does."""
-    matrix = " ".join(f"{value:.17g}" for value in placement.Matrix.A)
-    return f"{mesh.CountPoints} {mesh.CountFacets} {zlib.crc32(bms_bytes(mesh)[_POINTS_AT:]):08x} {zlib.crc32(matrix.encode()):08x}"
+def mesh_signature(mesh):
+    """A short text that differs when the points or facets of a Mesh.Mesh do."""
+    return f"{mesh.CountPoints} {mesh.CountFacets} {zlib.crc32(bms_bytes(mesh)[_POINTS_AT:]):08x}"
 
 
-def fem_mesh_of(mesh):
-    """A Fem.FemMesh of a QuadMesh: ids from 1 in the same order; face groups per patch and pass, node groups per line."""
+def placement_signature(placement):
+    """A short text that differs when the placement does."""
+    return f"{zlib.crc32(' '.join(f'{value:.17g}' for value in placement.Matrix.A).encode()):08x}"
+
+
+def fem_mesh_of(mesh, second_order=None, source_nodes=()):
+    """A Fem.FemMesh of a QuadMesh: ids from 1 in the same order.
+
+    second_order -- the mesh's SecondOrder: quads of eight nodes, the mid-side nodes after the corners
+    source_nodes -- for each source the ids of its nodes, as source_nodes() gives them
+    Face groups per patch and pass, node groups per feature line and source.
+    """
     fem_mesh = Fem.FemMesh()
-    _core.fill_fem_mesh(fem_mesh, mesh.points, mesh.quads)
+    if second_order is None:
+        _core.fill_fem_mesh(fem_mesh, mesh.points, mesh.quads)
+    else:
+        _core.fill_fem_mesh(fem_mesh, second_order.points, np.empty((0, 4), np.int32))
+        for quad in (second_order.quads + 1).tolist():
+            fem_mesh.addFace(quad)
     for name, faces in face_groups(mesh).items():
         _add_group(fem_mesh, name, "Face", faces)
     for name, edges in line_groups(mesh).items():
+        edges = edges if second_order is None else second_order.with_middles(edges)
         _add_group(fem_mesh, name, "Node", np.unique(edges))
+    for index, nodes in enumerate(source_nodes):
+        if len(nodes):
+            _add_group(fem_mesh, f"Source_{index + 1}", "Node", nodes)
     return fem_mesh
+
+
+def source_nodes(mesh, sources, points):
+    """For each source the ids of the mesh's nodes on it: nodes of feature lines that lie on the source's polyline.
+
+    points -- (N,3): those that the sources' vertex ids count
+    """
+    on_lines = np.flatnonzero(mesh.node_line >= 0)
+    tolerance = 1e-6 * np.linalg.norm(np.ptp(points, axis=0))
+    found = []
+    for source in sources:
+        line = points[source.vertices]
+        distance = np.full(len(on_lines), np.inf)
+        for start, end in zip(line[:-1], line[1:]):
+            distance = np.minimum(distance, _distance_to_segment(mesh.points[on_lines], start, end))
+        found.append(on_lines[distance <= tolerance])
+    return found
+
+
+def fem_mesh_to_arrays(fem_mesh):
+    """(points (P,3) float64, quads (Q,4) or (Q,8) int32) of a FemMesh that fem_mesh_of() made."""
+    nodes = fem_mesh.Nodes
+    points = np.array([tuple(nodes[node]) for node in range(1, len(nodes) + 1)], float).reshape(-1, 3)
+    quads = np.array([fem_mesh.getElementNodes(face) for face in range(1, fem_mesh.FaceCount + 1)], np.int32)
+    return points, quads.reshape(-1, quads.shape[1] if quads.size else 4) - 1
+
+
+def _distance_to_segment(points, start, end):
+    along = end - start
+    place = np.clip((points - start) @ along / max(along @ along, 1e-300), 0.0, 1.0)
+    return np.linalg.norm(points - start - place[:, None] * along, axis=1)
 
 
 def _add_group(fem_mesh, name, kind, indices):
     group = fem_mesh.addGroup(name, kind)
-    fem_mesh.addGroupElements(group, (indices + 1).tolist())
+    fem_mesh.addGroupElements(group, (np.asarray(indices) + 1).tolist())

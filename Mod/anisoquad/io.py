@@ -39,13 +39,16 @@ def writable(path):
     return Path(path).suffix.lower() in _WRITERS
 
 
-def write_mesh(path, mesh):
-    """Write a QuadMesh as .vtu, .inp (CalculiX, Abaqus: S4), .msh (Gmsh 2.2), .su2 or .obj. Raises MeshError."""
+def write_mesh(path, mesh, second_order=None):
+    """Write a QuadMesh as .vtu, .inp (CalculiX, Abaqus: S4, S8), .msh (Gmsh 2.2), .su2 or .obj. Raises MeshError.
+
+    second_order -- the mesh's SecondOrder; .su2 and .obj have no such quads, and get the corners
+    """
     path = Path(path)
     if not writable(path):
         raise MeshError(f"{path}: can only write {', '.join(_WRITERS)}", code="unwritable_file")
     try:
-        _WRITERS[path.suffix.lower()](path, mesh)
+        _WRITERS[path.suffix.lower()](path, mesh, second_order)
     except OSError as error:
         raise MeshError(f"{path}: {error.strerror or error}", code="unwritable_file") from None
 
@@ -107,37 +110,52 @@ def _triangles(path, facets):
     return np.array(facets, np.int64).reshape(-1, 3)
 
 
-def _write_by_meshio(path, mesh, lines, cell_data, point_data=None, **how):
+def _elements(mesh, second_order):
+    """(points, quads (Q,4) or (Q,8)) that are written."""
+    return (mesh.points, mesh.quads) if second_order is None else (second_order.points, second_order.quads)
+
+
+def _line_nodes(edges, second_order):
+    """(n,2) or (n,3): ends, and middles where there are some."""
+    return edges if second_order is None else second_order.with_middles(edges)
+
+
+def _write_by_meshio(path, mesh, second_order, lines, cell_data, point_data=None, **how):
     import meshio
 
-    cells = [("quad", mesh.quads)] + [("line", edges) for edges in lines]
-    meshio.Mesh(mesh.points, cells, cell_data=cell_data, point_data=point_data).write(path, **how)
+    points, quads = _elements(mesh, second_order)
+    quad, line = ("quad", "line") if second_order is None else ("quad8", "line3")
+    cells = [(quad, quads)] + [(line, _line_nodes(edges, second_order)) for edges in lines]
+    meshio.Mesh(points, cells, cell_data=cell_data, point_data=point_data).write(path, **how)
 
 
-def _write_vtu(path, mesh):
+def _write_vtu(path, mesh, second_order):
     data = {"row": mesh.row, "pass": mesh.pass_, "source": mesh.source, "patch": mesh.patch,
             "scaled_jacobian": scaled_jacobian(mesh.points, mesh.quads)}
-    _write_by_meshio(path, mesh, [], {name: [values] for name, values in data.items()},
-                     {"line": mesh.node_line, "input": mesh.node_input})
+    middles = len(_elements(mesh, second_order)[0]) - len(mesh.points)
+    of_points = {name: np.pad(values, (0, middles), constant_values=-1)
+                 for name, values in (("line", mesh.node_line), ("input", mesh.node_input))}
+    _write_by_meshio(path, mesh, second_order, [], {name: [values] for name, values in data.items()}, of_points)
 
 
-def _write_msh(path, mesh):
+def _write_msh(path, mesh, second_order):
     lines = line_groups(mesh)
     physical = [mesh.patch + 1] + [np.full(len(edges), index + 1, np.int32) for index, edges in enumerate(lines.values())]
-    _write_by_meshio(path, mesh, lines.values(), {"gmsh:physical": physical, "gmsh:geometrical": physical},
+    _write_by_meshio(path, mesh, second_order, lines.values(), {"gmsh:physical": physical, "gmsh:geometrical": physical},
                      file_format="gmsh22", binary=False)
 
 
-def _write_inp(path, mesh):
+def _write_inp(path, mesh, second_order):
+    points, quads = _elements(mesh, second_order)
     with path.open("w", encoding="ascii") as out:
         out.write("** Written by AnisoQuad\n*NODE, NSET=Nall\n")
-        _write_rows(out, "{},{!r},{!r},{!r}\n", np.arange(1, len(mesh.points) + 1), mesh.points)
-        out.write("*ELEMENT, TYPE=S4, ELSET=Eall\n")
-        _write_rows(out, "{},{},{},{},{}\n", np.arange(1, len(mesh.quads) + 1), mesh.quads + 1)
+        _write_rows(out, "{},{!r},{!r},{!r}\n", np.arange(1, len(points) + 1), points)
+        out.write(f"*ELEMENT, TYPE=S{quads.shape[1]}, ELSET=Eall\n")
+        _write_rows(out, ",".join(["{}"] * (quads.shape[1] + 1)) + "\n", np.arange(1, len(quads) + 1), quads + 1)
         for name, faces in face_groups(mesh).items():
             _write_set(out, "ELSET", name, faces + 1)
         for name, edges in line_groups(mesh).items():
-            _write_set(out, "NSET", name, np.unique(edges) + 1)
+            _write_set(out, "NSET", name, np.unique(_line_nodes(edges, second_order)) + 1)
 
 
 def _write_set(out, keyword, name, ids):
@@ -146,7 +164,7 @@ def _write_set(out, keyword, name, ids):
         out.write(",".join(map(str, ids[start : start + 16].tolist())) + ",\n")
 
 
-def _write_su2(path, mesh):
+def _write_su2(path, mesh, _):
     with path.open("w", encoding="ascii") as out:
         out.write(f"NDIME= 3\nNELEM= {len(mesh.quads)}\n")
         _write_rows(out, "9 {1} {2} {3} {4} {0}\n", np.arange(len(mesh.quads)), mesh.quads)
@@ -159,7 +177,7 @@ def _write_su2(path, mesh):
             out.writelines(f"3 {a} {b}\n" for a, b in edges.tolist())
 
 
-def _write_obj(path, mesh):
+def _write_obj(path, mesh, _):
     with path.open("w", encoding="ascii") as out:
         out.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in mesh.points.tolist())
         out.writelines("f {} {} {} {}\n".format(*quad) for quad in (mesh.quads + 1).tolist())

@@ -1,31 +1,104 @@
 """The scripting API in FreeCAD. No GUI."""
 
 from .errors import MeshError
-from .objects.quad_mesh_object import QuadMeshObject
-from .objects.source_text import to_text
-from .source import format_passes
+from .io import write_mesh
+from .objects.option_properties import set_options
+from .objects.quad_mesh_object import QuadMeshObject, result_of, second_order_of
+from .objects.source_object import SourceObject, is_source
+from .objects.triangles_object import TrianglesObject
+from .source import Source, format_passes, parse_passes
 
 
-def make_quad_mesh(doc, base=None, sources=(), passes=None, anisotropy=None, options=None, name="QuadMesh"):
+def make_quad_mesh(doc, base=None, sources=(), passes=None, anisotropy=None, options=None, element_order=1, name="QuadMesh"):
     """Add a quad mesh object to a document; it is filled at the next doc.recompute().
 
-    base       -- the Mesh::Feature to mesh
-    sources    -- lists of 0-based point ids of the base mesh, or anisoquad.Source objects (with passes of their own or not)
-    passes     -- for all sources without passes of their own: [4, 2, 2], [(4, 6), 2] with rows, or text "4:6, 2"
-    anisotropy -- instead of passes: the maximum anisotropy
-    options    -- anisoquad.Options, kept as properties of the object
+    base          -- the Mesh::Feature to mesh
+    sources       -- source objects, or lists of 0-based point ids of the base mesh, or anisoquad.Source objects, of which
+                     source objects are made
+    passes        -- for the sources that have none of their own: [4, 2, 2], [(4, 6), 2] with rows, or text "4:6, 2"
+    anisotropy    -- instead of passes: the maximum anisotropy
+    options       -- anisoquad.Options, kept as properties of the object
+    element_order -- 1, or 2 for quads of eight nodes
     Returns the Fem::FemMeshObjectPython. Raises MeshError when sources or passes can not be read.
     """
+    how = _how(passes, anisotropy)
+    sources = [source if is_source(source) or isinstance(source, Source) else Source(source) for source in sources]
+    obj = doc.addObject("Fem::FemMeshObjectPython", name)
+    QuadMeshObject(obj)
+    obj.Base = base
+    obj.ElementOrder = _element_order(element_order)
+    if options is not None:
+        set_options(obj, options)
+    obj.Sources = [source if is_source(source) else _make_source_like(doc, base, source, how) for source in sources]
+    return obj
+
+
+def make_source(doc, base, vertices=(), edges=None, passes=None, anisotropy=None, sides="both", imprint=False, name="Source"):
+    """Add a line source of anisotropy to a document.
+
+    base       -- the Mesh::Feature on which it lies
+    vertices   -- 0-based point ids of the base mesh, neighbours joined by mesh edges; closed when the first is also the last
+    edges      -- instead of vertices: (Part object, ["Edge1", …]); the mesh edges on them become the source
+    passes, anisotropy -- as in make_quad_mesh; with neither the line is a feature without rows
+    sides      -- "both", "left" or "right" of the line, seen along it with the surface's normal up
+    imprint    -- straighten the line into the triangles before rows start
+    Returns the App::FeaturePython. Raises MeshError when passes or sides can not be read.
+    """
+    how = _how(passes, anisotropy)
+    source = Source(vertices, sides=sides)
+    obj = doc.addObject("App::FeaturePython", name)
+    SourceObject(obj)
+    obj.Base = base
+    obj.Vertices = source.vertices
+    if edges is not None:
+        obj.Edges = edges
+    for property_, value in how.items():
+        setattr(obj, property_, value)
+    obj.Sides = sides
+    obj.Imprint = imprint
+    return obj
+
+
+def make_triangles(doc, shape, deflection=0.0, name="Triangles"):
+    """Add the tessellation of a Part object to a document, as the base of a quad mesh.
+
+    deflection -- largest distance of the triangles from the shape; 0: a thousandth of the shape's diagonal
+    Returns the Mesh::FeaturePython.
+    """
+    obj = doc.addObject("Mesh::FeaturePython", name)
+    TrianglesObject(obj)
+    obj.Shape = shape
+    obj.Deflection = deflection
+    return obj
+
+
+def export_quad_mesh(obj, path):
+    """Write a quad mesh object as .vtu, .inp, .msh, .su2 or .obj. Raises MeshError when it is empty or can not be written."""
+    mesh = result_of(obj)
+    if mesh is None:
+        raise MeshError(f"{obj.Label} holds no quads yet.", code="empty_mesh")
+    write_mesh(path, mesh, second_order_of(obj))
+
+
+def _how(passes, anisotropy):
+    """{property of a source object: value} of passes or anisotropy."""
     if passes is not None and anisotropy is not None:
         raise MeshError("Give either the passes or the anisotropy, not both.", code="invalid_option")
-    passes_text = format_passes(passes or [])
-    source_texts = [to_text(source) for source in sources]
-    obj = doc.addObject("Fem::FemMeshObjectPython", name)
-    proxy = QuadMeshObject(obj)
-    obj.Base = base
-    obj.Passes = passes_text
-    obj.Anisotropy = 1 if anisotropy is None else anisotropy
-    obj.Sources = source_texts
-    if options is not None:
-        proxy.set_options(obj, options)
+    if anisotropy is not None:
+        return {"Anisotropy": anisotropy}
+    return {"Passes": format_passes(parse_passes(passes))} if passes else {}
+
+
+def _make_source_like(doc, base, source, how):
+    obj = make_source(doc, base, source.vertices, sides=source.sides)
+    if source.passes:
+        how = {"Passes": format_passes(source.passes)}
+    for property_, value in how.items():
+        setattr(obj, property_, value)
     return obj
+
+
+def _element_order(order):
+    if order not in (1, 2):
+        raise MeshError(f"The element order is 1 or 2, not {order!r}.", code="invalid_option")
+    return "1st" if order == 1 else "2nd"

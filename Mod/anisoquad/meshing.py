@@ -24,8 +24,8 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None):
     """
     sources = [source if isinstance(source, Source) else Source(source) for source in sources]
     result = _core.quad_mesh(
-        _coordinates(points),
-        _indices(triangles),
+        checked_points(points),
+        checked_triangles(triangles),
         [source.to_core() for source in sources],
         options if options is not None else Options(),
         progress,
@@ -33,7 +33,8 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None):
     return QuadMesh(**result)
 
 
-def _coordinates(points):
+def checked_points(points):
+    """(N,3) float64, C-contiguous. Raises MeshError."""
     try:
         array = np.ascontiguousarray(points, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -45,7 +46,8 @@ def _coordinates(points):
     return array
 
 
-def _indices(triangles):
+def checked_triangles(triangles):
+    """(M,3) int32, C-contiguous. Raises MeshError."""
     try:
         array = np.asarray(triangles)
     except ValueError as error:

@@ -32,6 +32,10 @@ class Source:
     def __repr__(self):
         return f"Source({self.vertices!r}, passes={self.passes!r}, sides={self.sides!r})"
 
+    def along(self, vertices):
+        """The same passes and sides on another line."""
+        return Source(vertices, passes=self.passes, sides=self.sides)
+
     def to_core(self):
         """The same for the compiled core."""
         passes = [_core.Pass(ratio, 0 if rows == "auto" else rows) for ratio, rows in self.passes]

@@ -1,8 +1,9 @@
-"""The workbench: its commands, menu and tool bar."""
+"""The workbench: its commands, menu, tool bar and preferences page."""
 
-from pathlib import Path
-
+import FreeCAD
 import FreeCADGui
+
+from .resources import icon, icons, translations, ui_file
 
 
 class AnisoQuadWorkbench(FreeCADGui.Workbench):
@@ -10,14 +11,33 @@ class AnisoQuadWorkbench(FreeCADGui.Workbench):
 
     MenuText = "AnisoQuad"
     ToolTip = "Anisotropic all-quad surface meshes from triangles, along picked lines"
-    Icon = str(Path(__file__).parents[2] / "resources" / "icons" / "anisoquad.svg")
+    Icon = icon("anisoquad")
 
     def Initialize(self):
-        from .commands.quad_mesh_command import QuadMeshCommand
+        FreeCADGui.addIconPath(icons())
+        FreeCADGui.addLanguagePath(translations())
+        FreeCADGui.updateLocale()
+        FreeCADGui.addPreferencePage(ui_file("preferences"), "AnisoQuad")
+        if not core_loads():
+            return
+        from .commands import all_commands
+        from .commands.anisoquad import register
 
-        FreeCADGui.addCommand(QuadMeshCommand.NAME, QuadMeshCommand())
-        self.appendToolbar("AnisoQuad", [QuadMeshCommand.NAME])
-        self.appendMenu("AnisoQuad", [QuadMeshCommand.NAME])
+        commands = all_commands()
+        register(filter(None, commands))
+        names = [command.NAME if command is not None else "Separator" for command in commands]
+        self.appendToolbar("AnisoQuad", names)
+        self.appendMenu("AnisoQuad", names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
+
+
+def core_loads():
+    """True when the compiled core can be loaded; else the report view says what is wrong."""
+    try:
+        from . import _core  # noqa: F401
+    except ImportError as error:
+        FreeCAD.Console.PrintError(f"{error}\n")
+        return False
+    return True

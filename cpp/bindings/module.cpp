@@ -80,6 +80,7 @@ PYBIND11_MODULE(_core, module) {
     bind_errors();
     bind_options(module);
     bind_fem_mesh(module);
+    bind_picking(module);
     module.def("quad_mesh", &mesh, py::arg("points").noconvert(), py::arg("triangles").noconvert(), py::arg("sources"),
                py::arg("options"), py::arg("progress"), "See anisoquad.quad_mesh. Returns the fields of QuadMesh as a dict.");
 }

@@ -27,6 +27,10 @@ void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources);
 /// @throws Error{invalid_option}
 void check_options(const Options& options);
 
+/// Rejects vertex sizes that are not positive, or not one for each vertex.
+/// @throws Error{invalid_option}
+void check_vertex_sizes(const Options& options, std::size_t vertices);
+
 /// Rejects pairs of vertices that are not edges of the mesh.
 /// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
 /// @throws Error{invalid_feature_edge}

@@ -62,10 +62,10 @@ class Object(DocumentTest):
         self.assertLessEqual(on_boundary, set(lines))
         self.assertTrue(any("pass 1" in line for line in obj.RowsPerPass))
 
-    def test_it_recomputes_when_a_property_changes(self):
+    def test_it_recomputes_when_a_source_changes(self):
         obj = self.make(sources=[LOWER_EDGE])
         self.assertEqual(list(obj.RowsPerPass), [])
-        obj.Passes = "2:1"
+        obj.Sources[0].Passes = "2:1"
         self.doc.recompute()
         self.assert_filled(obj)
         self.assertTrue(obj.RowsPerPass)
@@ -89,7 +89,8 @@ class Object(DocumentTest):
     def test_an_error_keeps_the_old_mesh_and_says_what_is_wrong(self):
         obj = self.make()
         quads = obj.FemMesh.QuadrangleCount
-        for change, text in (({"Sources": ['{"vertices": [0, 9999]}']}, "9999"), ({"Sources": ["nonsense"]}, "Sources"),
+        apart = anisoquad.make_source(self.doc, self.base, [0, 30], anisotropy=2)
+        for change, text in (({"Sources": [apart]}, "30"), ({"Sources": [self.base]}, "is not a source"),
                              ({"Sources": [], "FeatureEdges": [1]}, "FeatureEdges"), ({"FeatureEdges": [], "Base": None}, "Base")):
             with self.subTest(text):
                 for name, value in change.items():
@@ -129,7 +130,7 @@ class SaveAndReopen(DocumentTest):
         obj = self.doc.getObject("Quads")
         self.assertEqual(self.state(obj), before)
         self.assertEqual(self.doc.recompute(), 0)
-        obj.Passes = "3:1"
+        obj.Sources[0].Passes = "3:1"
         self.doc.recompute()
         self.assertEqual(obj.getStatusString(), "Valid")
         self.assertIn("1:3", obj.RowsPerPass[0])
@@ -139,8 +140,7 @@ class SaveAndReopen(DocumentTest):
         mesh = obj.FemMesh
         return (
             type(obj.Proxy).__module__,
-            list(obj.Sources),
-            obj.Passes,
+            [(source.Name, source.Vertices, source.Passes, source.Length) for source in obj.Sources],
             obj.Report,
             obj.SchemaVersion,
             {node: tuple(point) for node, point in mesh.Nodes.items()},

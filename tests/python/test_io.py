@@ -11,6 +11,7 @@ from small_mesh import two_quads
 
 import anisoquad
 from anisoquad.io import read_triangles, write_mesh
+from anisoquad.second_order import second_order
 
 OFF = "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"
 
@@ -114,6 +115,23 @@ class Write(Folder):
         self.assertIn("*ELSET, ELSET=Source_1_Pass_1\n1,\n", text)
         self.assertIn("*NSET, NSET=Line_2\n5,6,\n", text)
         self.assertTrue(np.array_equal(meshio.read(self.file("a.inp")).points, two_quads().points))
+
+    def test_second_order(self):
+        points, triangles = surfaces.plane(6, 6)
+        mesh = anisoquad.quad_mesh(points, triangles)
+        quadratic = second_order(mesh, points, triangles, 40.0)
+        for name in ("a.vtu", "a.msh"):
+            with self.subTest(name):
+                write_mesh(self.file(name), mesh, quadratic)
+                read = meshio.read(self.file(name))
+                self.assertTrue(np.array_equal(read.get_cells_type("quad8"), quadratic.quads))
+                self.assertTrue(np.allclose(read.points, quadratic.points))
+        write_mesh(self.file("a.inp"), mesh, quadratic)
+        text = self.file("a.inp").read_text()
+        self.assertIn("*ELEMENT, TYPE=S8, ELSET=Eall\n1," + ",".join(map(str, quadratic.quads[0] + 1)) + "\n", text)
+        nodes = text.split("NSET=Line_1\n")[1].split("*")[0].replace("\n", "").strip(",").split(",")
+        corners = np.unique(mesh.line_edges[mesh.line_edges[:, 2] == 0, :2])
+        self.assertEqual(len(nodes), 2 * len(corners) - 1)
 
     def test_obj_and_su2(self):
         mesh = two_quads()

@@ -1,40 +1,65 @@
-"""The command that makes a quad mesh of the selected mesh."""
-
-from pathlib import Path
+"""The command that makes a quad mesh of the selected triangles or Part shape."""
 
 import FreeCAD
 import FreeCADGui
 
-_ICON = Path(__file__).parents[3] / "resources" / "icons" / "anisoquad.svg"
+from PySide.QtCore import QT_TRANSLATE_NOOP
+
+from .. import preferences
+from .command import Command, newest, record, reference, transaction
+from .selection import free_sources, is_mesh, is_mesh_or_shape, only, triangles_of
 
 
-class QuadMeshCommand:
-    """Quad mesh from mesh."""
+class QuadMeshCommand(Command):
+    """Quad mesh from mesh: makes the object, opens its panel, and starts meshing."""
 
     NAME = "AnisoQuad_QuadMesh"
-
-    def GetResources(self):
-        return {
-            "Pixmap": str(_ICON),
-            "MenuText": "Quad mesh from mesh",
-            "ToolTip": "Make an all-quad surface mesh of the selected triangle mesh",
-        }
+    MENU = QT_TRANSLATE_NOOP("AnisoQuad_QuadMesh", "Quad mesh from mesh")
+    TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_QuadMesh",
+                                "Make an all-quad surface mesh of the selected triangle mesh or Part shape,\n"
+                                "with the sources that were added to it before")
+    ICON = "quad_mesh"
+    SHORTCUT = "Q, M"
 
     def IsActive(self):
-        return len(self._selected()) == 1
+        return super().IsActive() and only(is_mesh_or_shape) is not None
 
     def Activated(self):
-        base = self._selected()[0]
-        base.Document.openTransaction("Quad mesh from mesh")
-        FreeCADGui.addModule("anisoquad")
-        FreeCADGui.doCommand(
-            f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, base=FreeCAD.ActiveDocument.{base.Name})\n"
-            "FreeCAD.ActiveDocument.recompute()"
-        )
-        base.Document.commitTransaction()
+        with transaction(FreeCAD.ActiveDocument, "Quad mesh from mesh", commit=False):
+            base = only(is_mesh_or_shape)
+            quads = add_quad_mesh(base if is_mesh(base) else triangles_for(base))
+            quads.purgeTouched()  # the panel meshes what holds no quads yet, off the window's thread
+            FreeCADGui.ActiveDocument.setEdit(quads.Name)
 
-    @staticmethod
-    def _selected():
-        if FreeCAD.ActiveDocument is None:
-            return []
-        return [obj for obj in FreeCADGui.Selection.getSelection() if obj.isDerivedFrom("Mesh::Feature")]
+
+def add_quad_mesh(base):
+    """Make a quad mesh of a mesh object, with its free sources, in the active analysis; recorded. Returns the object."""
+    how = f"base={reference(base)}"
+    sources = free_sources(base)
+    if sources:
+        how += f", sources=[{', '.join(map(reference, sources))}]"
+    if preferences.element_order() == 2:
+        how += ", element_order=2"
+    record(f"anisoquad.make_quad_mesh(FreeCAD.ActiveDocument, {how})")
+    quads = newest(base.Document)
+    analysis = active_analysis(base.Document)
+    if analysis is not None:
+        record(f"{reference(analysis)}.addObject({reference(quads)})")
+    return quads
+
+
+def triangles_for(shape):
+    """The tessellation of a Part object, made and recorded where there is none yet."""
+    triangles = triangles_of(shape)
+    if triangles is None:
+        record(f"anisoquad.make_triangles(FreeCAD.ActiveDocument, {reference(shape)})", "FreeCAD.ActiveDocument.recompute()")
+        triangles = newest(FreeCAD.ActiveDocument)
+    return triangles
+
+
+def active_analysis(doc):
+    """The FEM analysis that is active in this document, or None."""
+    import FemGui
+
+    analysis = FemGui.getActiveAnalysis()
+    return analysis if analysis is not None and analysis.Document is doc else None

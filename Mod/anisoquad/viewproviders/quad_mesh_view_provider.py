@@ -1,8 +1,9 @@
 """How a quad mesh is shown."""
 
-from pathlib import Path
+import FreeCADGui
 
-_ICON = Path(__file__).parents[3] / "resources" / "icons" / "anisoquad.svg"
+from ..objects.properties import SavedByProperties
+from ..resources import icon
 
 
 def attach(obj):
@@ -11,7 +12,7 @@ def attach(obj):
         QuadMeshViewProvider(obj.ViewObject)
 
 
-class QuadMeshViewProvider:
+class QuadMeshViewProvider(SavedByProperties):
     """Proxy of a FemGui::ViewProviderFemMeshPython."""
 
     def __init__(self, view):
@@ -24,16 +25,26 @@ class QuadMeshViewProvider:
         self.object = view.Object
 
     def claimChildren(self):
-        return [self.object.Base] if self.object.Base else []
+        base = [self.object.Base] if self.object.Base else []
+        return base + self.object.Sources
 
     def getIcon(self):
-        return str(_ICON)
+        return icon("anisoquad")
 
-    def dumps(self):
-        return None
+    def doubleClicked(self, view):
+        FreeCADGui.ActiveDocument.setEdit(view.Object.Name)
+        return True
 
-    def loads(self, state):
-        return None
+    def setEdit(self, view, mode):
+        from ..taskpanels.quad_mesh_panel import QuadMeshPanel
 
-    __getstate__ = dumps
-    __setstate__ = loads
+        if mode != 0:
+            return None
+        FreeCADGui.Control.showDialog(QuadMeshPanel(view.Object))
+        return True
+
+    def unsetEdit(self, view, mode):
+        if mode != 0:
+            return None
+        FreeCADGui.Control.closeDialog()
+        return True

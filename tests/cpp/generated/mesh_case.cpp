@@ -88,7 +88,7 @@ MeshCase make_case(ByteSource& source, bool may_be_bad) {
     Options& options = result.options;
     options.validate = true;
     // Options first: what follows them may be of any length.
-    options.prepare = source.one_in(3);
+    options.prepare = !source.one_in(3);
     options.cleanup = !source.one_in(4);
     if (source.one_in(4)) options.feature_angle = 1.0 + 179.0 * source.fraction();
     if (source.one_in(4)) options.row_growth = 1.0 + source.fraction();

@@ -1,0 +1,90 @@
+"""One run of the mesher, apart from the document: made of an object's properties, run anywhere, also off the GUI's thread."""
+
+import zlib
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .. import convert
+from ..compat import global_placement
+from ..errors import MeshError
+from ..meshing import Options, quad_mesh
+from ..quad_mesh_result import QuadMesh
+from ..second_order import SecondOrder, second_order
+from ..surface_lines import imprint
+from .option_properties import options_of
+from .source_object import source_of
+
+
+@dataclass(frozen=True)
+class MeshRun:
+    """What a job gives: the quad mesh, its second-order form (None for first order), and the key of the job that made it."""
+
+    mesh: QuadMesh
+    second_order: SecondOrder
+    key: str
+
+
+class MeshJob:
+    """The input of a run.
+
+    points    -- (N,3) float64, triangles -- (M,3) int32: the base mesh in world coordinates
+    sources   -- anisoquad.Source objects; imprinted -- for each whether it is straightened first
+    """
+
+    def __init__(self, points, triangles, sources, imprinted, options, order):
+        self.points = points
+        self.triangles = triangles
+        self.sources = sources
+        self.imprinted = imprinted
+        self.options = options
+        self.order = order
+
+    @classmethod
+    def of(cls, obj):
+        """The job of a quad mesh object. Raises MeshError when its properties can not be read."""
+        mesh = base_mesh(obj)
+        points, triangles = convert.mesh_to_arrays(mesh, global_placement(obj.Base))
+        sources = [source_of(source, obj.Base) for source in obj.Sources]
+        imprinted = [source.Imprint for source in obj.Sources]
+        return cls(points, triangles, sources, imprinted, options_of(obj), 2 if obj.ElementOrder == "2nd" else 1)
+
+    @property
+    def key(self):
+        """Text that differs when anything that the result depends on does."""
+        settings = [(name, getattr(self.options, name)) for name in Options.fields]
+        text = repr((self.sources, self.imprinted, settings, self.order)).encode()
+        return f"{len(self.points)} {len(self.triangles)} {zlib.crc32(self.points):08x} {zlib.crc32(self.triangles):08x} {zlib.crc32(text):08x}"
+
+    def run(self, progress=None):
+        """Mesh; returns a MeshRun. Raises MeshError, and Cancelled when progress(stage, fraction) returned False."""
+        points, triangles, sources = self.straightened()
+        mesh = quad_mesh(points, triangles, sources, self.options, progress)
+        if len(points) > len(self.points):  # what the imprint added is not a point of the user's mesh
+            mesh = replace(mesh, node_input=np.where(mesh.node_input < len(self.points), mesh.node_input, -1).astype(np.int32))
+        quadratic = None
+        if self.order == 2:
+            lines = [source.vertices for source in sources] + [list(edge) for edge in self.options.feature_edges]
+            quadratic = second_order(mesh, points, triangles, self.options.feature_angle, lines)
+        return MeshRun(mesh, quadratic, self.key)
+
+    def straightened(self):
+        """(points, triangles, sources) with the sources imprinted that are to be."""
+        points, triangles, sources = self.points, self.triangles, list(self.sources)
+        kept = [list(edge) for edge in self.options.feature_edges]
+        for index, wanted in enumerate(self.imprinted):
+            if wanted:
+                others = [source.vertices for other, source in enumerate(sources) if other != index]
+                points, triangles, path = imprint(points, triangles, sources[index].vertices, keep=others + kept,
+                                                  feature_angle=self.options.feature_angle)
+                sources[index] = sources[index].along(path)
+        return points, triangles, sources
+
+
+def base_mesh(obj):
+    """The Mesh.Mesh of the object's base. Raises MeshError when there is none."""
+    if obj.Base is None:
+        raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
+    if not obj.Base.isDerivedFrom("Mesh::Feature"):
+        raise MeshError(f"Base: {obj.Base.Label} is not a mesh.", code="empty_mesh")
+    return obj.Base.Mesh

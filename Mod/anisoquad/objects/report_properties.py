@@ -1,0 +1,43 @@
+"""The figures of a run as read-only properties of a document object."""
+
+import json
+
+from . import properties
+
+# (property, type, where it stands in the report, documentation)
+_FIGURES = (
+    ("Quads", "App::PropertyInteger", ("quads",), "Number of quads"),
+    ("Nodes", "App::PropertyInteger", ("nodes",), "Number of corner nodes"),
+    ("TrianglesIn", "App::PropertyInteger", ("triangles_in",), "Number of triangles of the base mesh"),
+    ("Reduction", "App::PropertyFloat", ("reduction_percent",), "Percent of elements saved"),
+    ("MinScaledJacobian", "App::PropertyFloat", ("scaled_jacobian", "min"), "Scaled Jacobian of the worst quad"),
+    ("MeanScaledJacobian", "App::PropertyFloat", ("scaled_jacobian", "mean"), "Mean scaled Jacobian"),
+    ("RegularNodes", "App::PropertyFloat", ("regular_percent",), "Percent of interior nodes with four edges"),
+    ("Hausdorff", "App::PropertyFloat", ("hausdorff",), "Largest distance between the mesh and the base mesh"),
+)
+
+
+def add_report(obj):
+    """Add the properties that are missing."""
+    for name, type_, _, doc in _FIGURES:
+        properties.add(obj, type_, name, "Result", doc, read_only=True)
+    properties.add(obj, "App::PropertyStringList", "RowsPerPass", "Result", "Rows of each pass, and why they stopped", True)
+    properties.add(obj, "App::PropertyStringList", "Warnings", "Result", "What the mesher warns of", True)
+    properties.add(obj, "App::PropertyString", "Report", "Result", "All figures of the run, as JSON", True)
+    properties.hide(obj, "Report")
+
+
+def show_report(obj, report):
+    """Write the figures of a run."""
+    for name, _, path, _ in _FIGURES:
+        value = report
+        for key in path:
+            value = value[key]
+        setattr(obj, name, value)
+    obj.RowsPerPass = [
+        f"Source {entry['source'] + 1}, {entry['side']}, pass {entry['pass']} (1:{entry['ratio']}): "
+        f"{entry['rows']} rows; {entry['stopped']}"
+        for entry in report["passes"]
+    ]
+    obj.Warnings = report["warnings"]
+    obj.Report = json.dumps(report)

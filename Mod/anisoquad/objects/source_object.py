@@ -1,0 +1,89 @@
+"""A line source of anisotropy in a document."""
+
+import FreeCAD
+import numpy as np
+
+from .. import convert
+from ..compat import global_placement
+from ..errors import MeshError
+from ..source import Source
+from . import properties
+from .part_edges import vertices_on_edges
+
+SCHEMA_VERSION = 1
+
+_INPUTS = (
+    ("Base", "App::PropertyLink", "The triangle mesh on which the line lies"),
+    ("Vertices", "App::PropertyIntegerList", "Point ids of the base mesh; closed when the first is also the last"),
+    ("Edges", "App::PropertyLinkSub", "Edges of a Part object instead: the mesh edges on them are the line"),
+    ("Anisotropy", "App::PropertyInteger", "Maximum anisotropy, used where no passes are given; 1: a feature line without rows"),
+    ("Passes", "App::PropertyString", "Merge ratio of each pass, with rows or not: 4:6, 2, 2"),
+    ("Sides", "App::PropertyEnumeration", "Sides of the line, seen along it with the surface's normal up, that get rows"),
+    ("Imprint", "App::PropertyBool", "Straighten a line that zigzags over the triangles before rows start"),
+)
+
+
+class SourceObject(properties.SavedByProperties):
+    """Proxy of an App::FeaturePython that keeps a line of mesh edges, and how anisotropic it is."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+        self._attach_view(obj)
+
+    def add_properties(self, obj):
+        """Add what is missing, so that objects of older files get the newer properties with their defaults."""
+        for name, type_, doc in _INPUTS:
+            if properties.add(obj, type_, name, "Source", doc):
+                if name == "Sides":
+                    obj.Sides = ["both", "left", "right"]
+                if name == "Anisotropy":
+                    obj.Anisotropy = 1
+        properties.add(obj, "App::PropertyLength", "Length", "Result", "Length of the line", True)
+        properties.add(obj, "App::PropertyInteger", "EdgeCount", "Result", "Number of mesh edges", True)
+        properties.add(obj, "App::PropertyVectorList", "Points", "Result", "The line's points in the world", True)
+        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
+            obj.SchemaVersion = SCHEMA_VERSION
+        properties.hide(obj, "Points", "SchemaVersion")
+
+    def execute(self, obj):
+        """Find the line on the base mesh, and measure it. Raises MeshError for ids that the mesh does not have."""
+        if obj.Base is None:
+            raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
+        points, triangles = convert.mesh_to_arrays(obj.Base.Mesh, global_placement(obj.Base))
+        if obj.Edges:
+            shape, names = obj.Edges
+            obj.Vertices = vertices_on_edges(points, triangles, [shape.getSubObject(name) for name in names])
+        ids = np.array(obj.Vertices, int)
+        missing = ids[(ids < 0) | (ids >= len(points))].tolist()
+        if missing:
+            raise MeshError(f"{obj.Label}: the mesh has no points {missing[:5]}.", code="invalid_source", kind="vertex", ids=missing)
+        line = points[ids]
+        obj.Length = float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+        obj.EdgeCount = max(len(line) - 1, 0)
+        obj.Points = [FreeCAD.Vector(*point) for point in line.tolist()]
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+        self._attach_view(obj)
+
+    @staticmethod
+    def _attach_view(obj):
+        if FreeCAD.GuiUp:
+            from ..viewproviders.source_view_provider import attach
+
+            attach(obj)
+
+
+def is_source(obj):
+    return properties.is_kind(obj, SourceObject)
+
+
+def source_of(obj, base):
+    """The anisoquad.Source of a source object. Raises MeshError when it can not be read, or lies on another mesh."""
+    if not is_source(obj):
+        raise MeshError(f"Sources: {obj.Label} is not a source.", code="invalid_source")
+    if obj.Base is not base:
+        raise MeshError(f"Sources: {obj.Label} lies on another mesh.", code="invalid_source")
+    how = {"passes": obj.Passes} if obj.Passes.strip() else {"anisotropy": obj.Anisotropy}
+    return Source(obj.Vertices, sides=obj.Sides, **how)

@@ -1,0 +1,28 @@
+"""What a FemMesh can not keep of a quad mesh, as text for a property: rows, passes, sources, patches, lines."""
+
+import base64
+import io
+import json
+import zlib
+
+import numpy as np
+
+from ..quad_mesh_result import QuadMesh
+
+_ARRAYS = ("row", "pass_", "source", "patch", "node_line", "node_input", "line_edges")
+
+
+def pack(mesh):
+    """The text of a QuadMesh without its points and quads."""
+    buffer = io.BytesIO()
+    np.savez(buffer, **{name: getattr(mesh, name) for name in _ARRAYS})
+    return base64.b85encode(zlib.compress(buffer.getvalue(), 6)).decode("ascii")
+
+
+def unpack(text, points, quads, report_text):
+    """The QuadMesh again.
+
+    points -- (P,3) float64 and quads -- (Q,4) int32, in the order in which they were packed; report_text -- JSON
+    """
+    arrays = np.load(io.BytesIO(zlib.decompress(base64.b85decode(text))), allow_pickle=False)
+    return QuadMesh(points=points, quads=quads, report=json.loads(report_text), **{name: arrays[name] for name in _ARRAYS})

@@ -1,0 +1,56 @@
+"""The triangles of a Part shape in a document."""
+
+import FreeCAD
+
+from ..errors import MeshError
+from . import properties
+
+SCHEMA_VERSION = 1
+
+_DEFLECTION = 1e-3  # of the shape's diagonal
+
+
+class TrianglesObject(properties.SavedByProperties):
+    """Proxy of a Mesh::FeaturePython that keeps a tessellation of its Shape, made by MeshPart."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+        self._attach_view(obj)
+
+    def add_properties(self, obj):
+        """Add what is missing."""
+        properties.add(obj, "App::PropertyLink", "Shape", "Triangles", "The Part object")
+        properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape; 0: a thousandth of its diagonal")
+        if properties.add(obj, "App::PropertyAngle", "Angle", "Triangles", "Largest angle between the normals of neighbours"):
+            obj.Angle = 15.0
+        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
+            obj.SchemaVersion = SCHEMA_VERSION
+        properties.hide(obj, "SchemaVersion")
+
+    def execute(self, obj):
+        """Tessellate. Raises MeshError when there is no shape."""
+        import MeshPart
+
+        if obj.Shape is None or not hasattr(obj.Shape, "Shape") or obj.Shape.Shape.isNull():
+            raise MeshError("Shape: no Part object is chosen.", code="empty_mesh")
+        shape = obj.Shape.Shape
+        deflection = obj.Deflection.Value or _DEFLECTION * shape.BoundBox.DiagonalLength
+        obj.Mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=deflection,
+                                          AngularDeflection=obj.Angle.getValueAs("rad").Value, Relative=False)
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+        self._attach_view(obj)
+
+    @staticmethod
+    def _attach_view(obj):
+        if FreeCAD.GuiUp:
+            from ..viewproviders.triangles_view_provider import attach
+
+            attach(obj)
+
+
+def is_triangles_of(obj, shape):
+    """True for the tessellation of this Part object."""
+    return properties.is_kind(obj, TrianglesObject) and obj.Shape is shape

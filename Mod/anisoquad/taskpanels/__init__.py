@@ -1,0 +1,1 @@
+"""Task panels: what is shown beside the view while an object is edited."""

@@ -1,0 +1,32 @@
+"""A run's figures as text for a panel."""
+
+import json
+
+from ..compat import translate
+
+
+def figures_text(obj):
+    """A few lines of the quad mesh object's figures; empty while it holds no quads."""
+    if not obj.Quads:
+        return ""
+    lines = [
+        translate("QuadMeshPanel", "{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)").format(
+            quads=obj.Quads, triangles=obj.TrianglesIn, reduction=obj.Reduction),
+        translate("QuadMeshPanel", "Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %").format(
+            worst=obj.MinScaledJacobian, mean=obj.MeanScaledJacobian, regular=obj.RegularNodes),
+        *_rows(json.loads(obj.Report)["passes"]),
+        *(translate("QuadMeshPanel", "Warning: {}").format(warning) for warning in obj.Warnings),
+    ]
+    return "\n".join(lines)
+
+
+def _rows(passes):
+    """One line a source and pass, with the rows of both sides."""
+    rows = {}
+    for entry in passes:
+        key = entry["source"] + 1, entry["pass"], entry["ratio"]
+        rows.setdefault(key, {}).setdefault(entry["side"], []).append(entry["rows"])
+    for (source, pass_, ratio), sides in rows.items():
+        counts = ", ".join(f"{'/'.join(map(str, counts))} {translate('SourcePanel', side)}" for side, counts in sides.items())
+        yield translate("QuadMeshPanel", "Source {source}, pass {pass_} (1:{ratio}): rows {counts}").format(
+            source=source, pass_=pass_, ratio=ratio, counts=counts)

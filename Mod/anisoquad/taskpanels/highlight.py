@@ -1,0 +1,48 @@
+"""Shows in the view which elements of the triangles an error names."""
+
+import numpy as np
+
+from .. import convert
+from ..compat import global_placement
+from ..viewproviders.line_node import LineNode
+
+_COLOUR = (1.0, 0.2, 0.0)
+
+
+class Highlight:
+    """Marks vertices, edges or facets over the model."""
+
+    def __init__(self, view):
+        self._scene = view.getSceneGraph()
+        self._node = LineNode(_COLOUR, 6)
+        self._scene.addChild(self._node.root)
+
+    def show(self, error, base):
+        """Mark what a MeshError names, on the mesh object that it is about."""
+        points, triangles = convert.mesh_to_arrays(base.Mesh, global_placement(base))
+        ids = np.array(error.ids, int)
+        limit = len(triangles) if error.kind == "facet" else len(points)
+        ids = ids[(ids >= 0) & (ids < limit)]
+        place = points.tolist()
+        if error.kind == "vertex":
+            self._node.show([], points=[tuple(place[v]) for v in ids])
+        elif error.kind == "edge":
+            pairs = ids[: len(ids) // 2 * 2].reshape(-1, 2)
+            self._node.show([[tuple(place[v]) for v in pair] for pair in pairs])
+        elif error.kind == "facet":
+            corners = [[tuple(place[v]) for v in triangles[f]] for f in ids]
+            self._node.show([[*facet, facet[0]] for facet in corners], facets=corners)
+        else:
+            self.clear()
+
+    def show_line(self, points):
+        """Mark a line of points."""
+        self._node.show([[tuple(point) for point in points]] if points else [])
+
+    def clear(self):
+        self._node.clear()
+
+    def remove(self):
+        """Take it out of the view. May be called again."""
+        if self._scene.findChild(self._node.root) >= 0:
+            self._scene.removeChild(self._node.root)

@@ -1,0 +1,205 @@
+"""The panel of a quad mesh: sources and options, and meshing while the window stays alive."""
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore
+
+from .. import preferences
+from ..commands.add_source_command import add_source
+from ..commands.command import open_transaction, record, reference
+from ..commands.selection import is_mesh
+from ..compat import button_box, button_name, load_ui, translate
+from ..errors import Cancelled, MeshError
+from ..objects.mesh_job import MeshJob
+from ..resources import ui_file
+from .figures import figures_text
+from .highlight import Highlight
+from .mesh_worker import MeshWorker
+from .option_form import OptionForm
+from .row_preview import RowPreview
+from .source_table import SourceTable
+
+
+class QuadMeshPanel:
+    """Task panel of a quad mesh object. An object without quads is meshed at once."""
+
+    def __init__(self, obj):
+        self.obj = obj
+        open_transaction(obj.Document, f"Edit {obj.Label}")
+        self.form = form = load_ui(ui_file("quad_mesh"))
+        obj.Proxy.remember(obj)
+        self.worker = None
+        self._close_when_done = False
+        self.highlight = Highlight(FreeCADGui.ActiveDocument.ActiveView)
+        self.preview = RowPreview(FreeCADGui.ActiveDocument.ActiveView)
+        self.bases = [other for other in obj.Document.Objects if is_mesh(other)]
+        form.base.addItems([base.Label for base in self.bases])
+        form.base.setCurrentIndex(self.bases.index(obj.Base) if obj.Base in self.bases else -1)
+        form.order.setCurrentIndex(1 if obj.ElementOrder == "2nd" else 0)
+        self.options = OptionForm(form.options, obj)
+        self.sources = SourceTable(form.sources)
+        self.sources.fill(obj.Sources)
+        form.figures.setText(figures_text(obj))
+        form.add.clicked.connect(self._add_source)
+        form.edit.clicked.connect(self._edit_source)
+        form.remove.clicked.connect(self._remove_source)
+        form.preview.toggled.connect(self._preview_rows)
+        form.cancel.clicked.connect(self._stop)
+        form.sources.itemSelectionChanged.connect(self._show_selected)
+        if obj.Quads == 0 and obj.Base is not None:
+            QtCore.QTimer.singleShot(0, self.apply)
+
+    def getStandardButtons(self):
+        return button_box("Ok", "Apply", "Cancel")
+
+    def clicked(self, button):
+        if button_name(button) == "Apply":
+            self.apply()
+
+    def accept(self):
+        """OK: mesh when something has changed, then close."""
+        if self.worker is not None:
+            self._close_when_done = True
+            return False
+        if not self._write():
+            return False
+        if self._is_current():
+            self._close()
+            return True
+        self._close_when_done = True
+        self._start()
+        return False
+
+    def reject(self):
+        """Cancel: stop meshing, and take back everything since the panel was opened."""
+        if self.worker is not None:
+            self.worker.abandon()
+        self._leave()
+        FreeCAD.ActiveDocument.abortTransaction()
+        FreeCADGui.ActiveDocument.resetEdit()
+        FreeCAD.ActiveDocument.recompute()  # a FemMesh does not come back by itself; the run is still known
+        return True
+
+    def apply(self):
+        """Keep what is set, and mesh."""
+        if self.worker is None and self._write():
+            self._start()
+
+    def _write(self):
+        """Set the properties; recorded. False, with a message, when something can not be read."""
+        name = reference(self.obj)
+        try:
+            lines = self.sources.lines()
+        except MeshError as error:
+            self._fail(error)
+            return False
+        base = self.bases[self.form.base.currentIndex()] if self.form.base.currentIndex() >= 0 else None
+        if base is not self.obj.Base:
+            lines.append(f"{name}.Base = {reference(base)}")
+        values = {"ElementOrder": "2nd" if self.form.order.currentIndex() else "1st"}
+        changes = self.options.changes()
+        changes.update({key: value for key, value in values.items() if getattr(self.obj, key) != value})
+        record(*lines, *(f"{name}.{key} = {value!r}" for key, value in changes.items()))
+        return True
+
+    def _is_current(self):
+        return self.obj.Quads > 0 and "Touched" not in self.obj.State and not any("Touched" in s.State for s in self.obj.Sources)
+
+    def _start(self):
+        self.highlight.clear()
+        self.form.preview.setChecked(False)
+        try:
+            for source in self.obj.Sources:
+                source.recompute()
+            job = MeshJob.of(self.obj)
+        except MeshError as error:
+            self._fail(error)
+            return
+        self.form.figures.setText(translate("QuadMeshPanel", "Meshing…"))
+        self.form.cancel.setEnabled(True)
+        self.worker = MeshWorker(job, self._show_progress, self._done, self._fail)
+        self.worker.start()
+
+    def _stop(self):
+        if self.worker is not None:
+            self.worker.cancel()
+
+    def _show_progress(self, stage, fraction):
+        self.form.progress.setValue(int(1000 * fraction))
+        self.form.progress.setFormat(f"{stage} %p %" if stage else "%p %")
+
+    def _done(self, run):
+        self.worker = None
+        self.obj.Proxy.keep(run)
+        self.obj.touch()
+        record("FreeCAD.ActiveDocument.recompute()")
+        self.form.cancel.setEnabled(False)
+        self.form.progress.setValue(1000)
+        self.form.figures.setText(figures_text(self.obj))
+        self.sources.fill(self.obj.Sources)
+        if preferences.hide_base() and self.obj.Base.ViewObject is not None:
+            self.obj.Base.ViewObject.Visibility = False
+        if self._close_when_done:
+            self._close()
+
+    def _fail(self, error):
+        """Say what is wrong, and show where; the old mesh stays."""
+        self.worker = None
+        self._close_when_done = False
+        self.form.cancel.setEnabled(False)
+        self.form.progress.setValue(0)
+        if isinstance(error, Cancelled):
+            self.form.figures.setText(translate("QuadMeshPanel", "Stopped. The old mesh was kept."))
+            return
+        self.form.figures.setText(str(error))
+        FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+        if isinstance(error, MeshError):
+            self.highlight.show(error, self.obj.Base)
+
+    def _add_source(self):
+        if self.obj.Base is None or not self._write():
+            return
+        source = add_source(self.obj.Base, [self.obj], preferences.anisotropy())
+        self._edit(source)
+
+    def _edit_source(self):
+        source = self.sources.selected()
+        if source is not None and self._write():
+            self._edit(source)
+
+    def _edit(self, source):
+        """Leave this panel for that of a source."""
+        self._leave()
+        name, gui_doc = source.Name, FreeCADGui.ActiveDocument
+        gui_doc.resetEdit()
+        QtCore.QTimer.singleShot(0, lambda: gui_doc.setEdit(name))
+
+    def _remove_source(self):
+        source = self.sources.selected()
+        if source is not None and self._write():
+            kept = [other for other in self.obj.Sources if other is not source]
+            record(f"{reference(self.obj)}.Sources = [{', '.join(map(reference, kept))}]")
+            self.sources.fill(kept)
+
+    def _preview_rows(self, on):
+        self.preview.clear()
+        if not on:
+            return
+        try:
+            if self._write():
+                self.preview.show(self.obj)
+        except MeshError as error:
+            self._fail(error)
+
+    def _show_selected(self):
+        source = self.sources.selected()
+        self.highlight.show_line(source.Points if source is not None else [])
+
+    def _close(self):
+        self._leave()
+        FreeCAD.ActiveDocument.commitTransaction()
+        FreeCADGui.ActiveDocument.resetEdit()
+
+    def _leave(self):
+        self.highlight.remove()
+        self.preview.remove()

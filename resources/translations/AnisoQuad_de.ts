@@ -1,0 +1,456 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+ <context>
+  <name>AnisoQuadPreferences</name>
+  <message>
+   <source> px</source>
+   <translation> px</translation>
+  </message>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>1st</source>
+   <translation>1.</translation>
+  </message>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight, the mid-side nodes on the surface</source>
+   <translation>1.: vier Knoten je Viereck; 2.: acht, die Seitenmittenknoten auf der Fläche</translation>
+  </message>
+  <message>
+   <source>2nd</source>
+   <translation>2.</translation>
+  </message>
+  <message>
+   <source>Defaults of new objects</source>
+   <translation>Vorgaben für neue Objekte</translation>
+  </message>
+  <message>
+   <source>Element order of a quad mesh</source>
+   <translation>Elementordnung eines Vierecknetzes</translation>
+  </message>
+  <message>
+   <source>General</source>
+   <translation>Allgemein</translation>
+  </message>
+  <message>
+   <source>Hide the triangles once the quads are there</source>
+   <translation>Dreiecke ausblenden, sobald die Vierecke da sind</translation>
+  </message>
+  <message>
+   <source>How many times longer than high the quads at the line become</source>
+   <translation>Wievielmal länger als hoch die Vierecke an der Linie werden</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy of a source</source>
+   <translation>Größte Anisotropie einer Quelle</translation>
+  </message>
+  <message>
+   <source>View</source>
+   <translation>Ansicht</translation>
+  </message>
+  <message>
+   <source>Width of source lines</source>
+   <translation>Breite der Quelllinien</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_AddSource</name>
+  <message>
+   <source>Add anisotropy source</source>
+   <translation>Anisotropiequelle hinzufügen</translation>
+  </message>
+  <message>
+   <source>Pick a line on the selected mesh along which rows of long thin quads are built;
+with edges of a Part object selected, they are the line</source>
+   <translation>Auf dem gewählten Netz eine Linie wählen, an der Reihen langer, schmaler Vierecke entstehen;
+sind Kanten eines Part-Objekts gewählt, so sind sie die Linie</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Edit</name>
+  <message>
+   <source>Change the selected quad mesh or source</source>
+   <translation>Das gewählte Vierecknetz oder die Quelle ändern</translation>
+  </message>
+  <message>
+   <source>Edit</source>
+   <translation>Bearbeiten</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Export</name>
+  <message>
+   <source>Export</source>
+   <translation>Exportieren</translation>
+  </message>
+  <message>
+   <source>Export quad mesh</source>
+   <translation>Vierecknetz exportieren</translation>
+  </message>
+  <message>
+   <source>Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj</source>
+   <translation>Das gewählte Vierecknetz als .vtu, .inp, .msh, .su2 oder .obj schreiben</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Preferences</name>
+  <message>
+   <source>Defaults of new quad meshes and sources</source>
+   <translation>Vorgaben für neue Vierecknetze und Quellen</translation>
+  </message>
+  <message>
+   <source>Preferences</source>
+   <translation>Einstellungen</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_QuadMesh</name>
+  <message>
+   <source>Make an all-quad surface mesh of the selected triangle mesh or Part shape,
+with the sources that were added to it before</source>
+   <translation>Aus dem gewählten Dreiecknetz oder Part-Körper ein reines Vierecknetz der Oberfläche machen,
+mit den Quellen, die vorher hinzugefügt wurden</translation>
+  </message>
+  <message>
+   <source>Quad mesh from mesh</source>
+   <translation>Vierecknetz aus Netz</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Quality</name>
+  <message>
+   <source>Colour the selected quad mesh by its quality, and list the worst quads</source>
+   <translation>Das gewählte Vierecknetz nach seiner Güte färben und die schlechtesten Vierecke aufzählen</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Güte</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_SuggestSources</name>
+  <message>
+   <source>Find the leading and trailing edges of the selected mesh</source>
+   <translation>Vorder- und Hinterkanten des gewählten Netzes finden</translation>
+  </message>
+  <message>
+   <source>Suggest leading edges</source>
+   <translation>Vorderkanten vorschlagen</translation>
+  </message>
+ </context>
+ <context>
+  <name>QuadMeshPanel</name>
+  <message>
+   <source>1st</source>
+   <translation>1.</translation>
+  </message>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight, the mid-side nodes on the surface</source>
+   <translation>1.: vier Knoten je Viereck; 2.: acht, die Seitenmittenknoten auf der Fläche</translation>
+  </message>
+  <message>
+   <source>2nd</source>
+   <translation>2.</translation>
+  </message>
+  <message>
+   <source>A quad mesh is made of a triangle mesh, and follows it: when the triangles, a source or an option change, it is made anew. Apply meshes and keeps the panel open; OK closes it; Cancel takes everything back. While it meshes, the window stays alive, and Stop keeps the old mesh.</source>
+   <translation>Ein Vierecknetz wird aus einem Dreiecknetz gemacht und folgt ihm: Ändern sich die Dreiecke, eine Quelle oder eine Option, so entsteht es neu. Anwenden vernetzt und lässt das Fenster offen; OK schließt es; Abbrechen nimmt alles zurück. Beim Vernetzen bleibt FreeCAD bedienbar, und Anhalten behält das alte Netz.</translation>
+  </message>
+  <message>
+   <source>Add…</source>
+   <translation>Hinzufügen…</translation>
+  </message>
+  <message>
+   <source>Anisotropy sources</source>
+   <translation>Anisotropiequellen</translation>
+  </message>
+  <message>
+   <source>Change the selected source</source>
+   <translation>Die gewählte Quelle ändern</translation>
+  </message>
+  <message>
+   <source>Do not use the selected source any more</source>
+   <translation>Die gewählte Quelle nicht mehr verwenden</translation>
+  </message>
+  <message>
+   <source>Draw where rows will come</source>
+   <translation>Zeichnen, wo Reihen entstehen werden</translation>
+  </message>
+  <message>
+   <source>Edges</source>
+   <translation>Kanten</translation>
+  </message>
+  <message>
+   <source>Edit…</source>
+   <translation>Bearbeiten…</translation>
+  </message>
+  <message>
+   <source>Element order</source>
+   <translation>Elementordnung</translation>
+  </message>
+  <message>
+   <source>Length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <source>Lines along which rows of long thin quads are built; a selected line is shown in the view</source>
+   <translation>Linien, an denen Reihen langer, schmaler Vierecke entstehen; eine gewählte Linie wird in der Ansicht gezeigt</translation>
+  </message>
+  <message>
+   <source>Meshing…</source>
+   <translation>Vernetzen…</translation>
+  </message>
+  <message>
+   <source>Options</source>
+   <translation>Optionen</translation>
+  </message>
+  <message>
+   <source>Passes or 1:n</source>
+   <translation>Durchgänge oder 1:n</translation>
+  </message>
+  <message>
+   <source>Pick a new line in the view</source>
+   <translation>Eine neue Linie in der Ansicht wählen</translation>
+  </message>
+  <message>
+   <source>Preview rows</source>
+   <translation>Reihen zeigen</translation>
+  </message>
+  <message>
+   <source>Quad mesh</source>
+   <translation>Vierecknetz</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Entfernen</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %</source>
+   <translation>Skalierte Jacobi-Determinante: schlechteste {worst:.3f}, Mittel {mean:.3f}; reguläre Knoten: {regular:.1f} %</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Seiten</translation>
+  </message>
+  <message>
+   <source>Source</source>
+   <translation>Quelle</translation>
+  </message>
+  <message>
+   <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
+   <translation>Quelle {source}, Durchgang {pass_} (1:{ratio}): Reihen {counts}</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Stop meshing; the old mesh stays</source>
+   <translation>Vernetzen anhalten; das alte Netz bleibt</translation>
+  </message>
+  <message>
+   <source>Stopped. The old mesh was kept.</source>
+   <translation>Angehalten. Das alte Netz blieb.</translation>
+  </message>
+  <message>
+   <source>The triangle mesh that is turned into quads</source>
+   <translation>Das Dreiecknetz, aus dem Vierecke werden</translation>
+  </message>
+  <message>
+   <source>Triangles</source>
+   <translation>Dreiecke</translation>
+  </message>
+  <message>
+   <source>Warning: {}</source>
+   <translation>Warnung: {}</translation>
+  </message>
+  <message>
+   <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
+   <translation>{quads} Vierecke aus {triangles} Dreiecken ({reduction:.1f} % weniger Elemente)</translation>
+  </message>
+ </context>
+ <context>
+  <name>QualityPanel</name>
+  <message>
+   <source>Aspect ratio</source>
+   <translation>Seitenverhältnis</translation>
+  </message>
+  <message>
+   <source>Element</source>
+   <translation>Element</translation>
+  </message>
+  <message>
+   <source>Number of quads (logarithmic) over the measure</source>
+   <translation>Anzahl der Vierecke (logarithmisch) über dem Maß</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Güte</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>Reihe</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian</source>
+   <translation>Skalierte Jacobi-Determinante</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <source>Skew</source>
+   <translation>Schiefe</translation>
+  </message>
+  <message>
+   <source>The quads are coloured by the chosen measure: red is bad, blue is good. The scaled Jacobian is 1 for a rectangle and 0 for a quad that is folded flat; thin quads of anisotropic rows keep a good one.</source>
+   <translation>Die Vierecke sind nach dem gewählten Maß gefärbt: rot ist schlecht, blau ist gut. Die skalierte Jacobi-Determinante ist 1 für ein Rechteck und 0 für ein zusammengefallenes Viereck; schmale Vierecke anisotroper Reihen behalten eine gute.</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Wert</translation>
+  </message>
+  <message>
+   <source>What the quads are coloured by</source>
+   <translation>Wonach die Vierecke gefärbt sind</translation>
+  </message>
+  <message>
+   <source>Worst quads; a click zooms to them:</source>
+   <translation>Schlechteste Vierecke; ein Klick führt hin:</translation>
+  </message>
+  <message>
+   <source>matplotlib is not installed: no histogram</source>
+   <translation>matplotlib ist nicht installiert: kein Histogramm</translation>
+  </message>
+  <message>
+   <source>{low:.4g} … {high:.4g}, mean {mean:.4g}</source>
+   <translation>{low:.4g} … {high:.4g}, Mittel {mean:.4g}</translation>
+  </message>
+ </context>
+ <context>
+  <name>SourcePanel</name>
+  <message>
+   <source>(closed)</source>
+   <translation>(geschlossen)</translation>
+  </message>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>A source is a line on the triangles along which rows of long, thin quads are built on both sides. Pick it in the view, or choose edges of a Part object. The maximum anisotropy says how many times longer than high the quads at the line become; it falls off with every pass.</source>
+   <translation>Eine Quelle ist eine Linie auf den Dreiecken, an deren beiden Seiten Reihen langer, schmaler Vierecke entstehen. Sie wird in der Ansicht gewählt oder aus Kanten eines Part-Objekts. Die größte Anisotropie sagt, wievielmal länger als hoch die Vierecke an der Linie werden; sie nimmt mit jedem Durchgang ab.</translation>
+  </message>
+  <message>
+   <source>Anisotropy source</source>
+   <translation>Anisotropiequelle</translation>
+  </message>
+  <message>
+   <source>Aspect at the line</source>
+   <translation>Seitenverhältnis an der Linie</translation>
+  </message>
+  <message>
+   <source>Click a mesh edge to start, click another to extend the line along ridges and feature lines. Double-click takes the whole line, Ctrl-click cuts it, Esc leaves.</source>
+   <translation>Eine Netzkante anklicken, um zu beginnen; eine weitere, um die Linie über Grate und Merkmalslinien zu verlängern. Doppelklick nimmt die ganze Linie, Strg-Klick schneidet sie ab, Esc beendet.</translation>
+  </message>
+  <message>
+   <source>How many times longer than high the quads at the line become; 1: a feature line without rows</source>
+   <translation>Wievielmal länger als hoch die Vierecke an der Linie werden; 1: eine Merkmalslinie ohne Reihen</translation>
+  </message>
+  <message>
+   <source>Imprint: make a line that zigzags over the triangles straight before rows start</source>
+   <translation>Einprägen: eine Linie, die im Zickzack über die Dreiecke läuft, vor den Reihen gerade machen</translation>
+  </message>
+  <message>
+   <source>Length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy</source>
+   <translation>Größte Anisotropie</translation>
+  </message>
+  <message>
+   <source>Merge ratio of each pass, with its number of rows or not, e.g. 4:6, 2, 2. Empty: chosen from the maximum anisotropy</source>
+   <translation>Verschmelzungsverhältnis jedes Durchgangs, mit oder ohne Zahl der Reihen, z. B. 4:6, 2, 2. Leer: aus der größten Anisotropie</translation>
+  </message>
+  <message>
+   <source>Mesh edges</source>
+   <translation>Netzkanten</translation>
+  </message>
+  <message>
+   <source>Passes</source>
+   <translation>Durchgänge</translation>
+  </message>
+  <message>
+   <source>Pick a line first</source>
+   <translation>Erst eine Linie wählen</translation>
+  </message>
+  <message>
+   <source>Pick in the view</source>
+   <translation>In der Ansicht wählen</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Seiten</translation>
+  </message>
+  <message>
+   <source>Sides of the line, seen along it with the surface's normal up, that get rows</source>
+   <translation>Seiten der Linie, längs gesehen mit der Flächennormale nach oben, die Reihen bekommen</translation>
+  </message>
+  <message>
+   <source>Straighten zigzags</source>
+   <translation>Zickzack gerade machen</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <translation>automatisch</translation>
+  </message>
+  <message>
+   <source>both</source>
+   <translation>beide</translation>
+  </message>
+  <message>
+   <source>left</source>
+   <translation>links</translation>
+  </message>
+  <message>
+   <source>right</source>
+   <translation>rechts</translation>
+  </message>
+ </context>
+ <context>
+  <name>SuggestPanel</name>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>Line {index}: {length}, {edges} edges</source>
+   <translation>Linie {index}: {length}, {edges} Kanten</translation>
+  </message>
+  <message>
+   <source>Long, smooth ridges of the surface. OK makes a source of each that is ticked.</source>
+   <translation>Lange, glatte Grate der Fläche. OK macht aus jedem angehakten eine Quelle.</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy</source>
+   <translation>Größte Anisotropie</translation>
+  </message>
+  <message>
+   <source>No long, smooth ridge was found. Pick the line in the view instead.</source>
+   <translation>Kein langer, glatter Grat gefunden. Die Linie stattdessen in der Ansicht wählen.</translation>
+  </message>
+  <message>
+   <source>Ridges of curvature and sharp edges that are long and smooth look like leading and trailing edges. Tick those that shall become sources.</source>
+   <translation>Lange und glatte Krümmungsgrate und scharfe Kanten sehen aus wie Vorder- und Hinterkanten. Die anhaken, die Quellen werden sollen.</translation>
+  </message>
+  <message>
+   <source>Suggested sources</source>
+   <translation>Vorgeschlagene Quellen</translation>
+  </message>
+ </context>
+</TS>

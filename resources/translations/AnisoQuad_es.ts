@@ -1,0 +1,456 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+ <context>
+  <name>AnisoQuadPreferences</name>
+  <message>
+   <source> px</source>
+   <translation> px</translation>
+  </message>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>1st</source>
+   <translation>1.º</translation>
+  </message>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight, the mid-side nodes on the surface</source>
+   <translation>1.º: cuatro nodos por cuadrilátero; 2.º: ocho, los nodos intermedios sobre la superficie</translation>
+  </message>
+  <message>
+   <source>2nd</source>
+   <translation>2.º</translation>
+  </message>
+  <message>
+   <source>Defaults of new objects</source>
+   <translation>Valores por defecto de los objetos nuevos</translation>
+  </message>
+  <message>
+   <source>Element order of a quad mesh</source>
+   <translation>Orden de los elementos de una malla de cuadriláteros</translation>
+  </message>
+  <message>
+   <source>General</source>
+   <translation>General</translation>
+  </message>
+  <message>
+   <source>Hide the triangles once the quads are there</source>
+   <translation>Ocultar los triángulos cuando estén los cuadriláteros</translation>
+  </message>
+  <message>
+   <source>How many times longer than high the quads at the line become</source>
+   <translation>Cuántas veces más largos que altos serán los cuadriláteros junto a la línea</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy of a source</source>
+   <translation>Anisotropía máxima de una fuente</translation>
+  </message>
+  <message>
+   <source>View</source>
+   <translation>Vista</translation>
+  </message>
+  <message>
+   <source>Width of source lines</source>
+   <translation>Anchura de las líneas de las fuentes</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_AddSource</name>
+  <message>
+   <source>Add anisotropy source</source>
+   <translation>Añadir fuente de anisotropía</translation>
+  </message>
+  <message>
+   <source>Pick a line on the selected mesh along which rows of long thin quads are built;
+with edges of a Part object selected, they are the line</source>
+   <translation>Elegir en la malla seleccionada una línea junto a la cual se construyen filas de cuadriláteros largos y finos;
+si hay aristas de un objeto Part seleccionadas, ellas son la línea</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Edit</name>
+  <message>
+   <source>Change the selected quad mesh or source</source>
+   <translation>Cambiar la malla de cuadriláteros o la fuente seleccionada</translation>
+  </message>
+  <message>
+   <source>Edit</source>
+   <translation>Editar</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Export</name>
+  <message>
+   <source>Export</source>
+   <translation>Exportar</translation>
+  </message>
+  <message>
+   <source>Export quad mesh</source>
+   <translation>Exportar malla de cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj</source>
+   <translation>Escribir la malla de cuadriláteros seleccionada como .vtu, .inp, .msh, .su2 u .obj</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Preferences</name>
+  <message>
+   <source>Defaults of new quad meshes and sources</source>
+   <translation>Valores por defecto de mallas y fuentes nuevas</translation>
+  </message>
+  <message>
+   <source>Preferences</source>
+   <translation>Preferencias</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_QuadMesh</name>
+  <message>
+   <source>Make an all-quad surface mesh of the selected triangle mesh or Part shape,
+with the sources that were added to it before</source>
+   <translation>Hacer una malla de superficie solo de cuadriláteros de la malla de triángulos o forma Part seleccionada,
+con las fuentes que se le añadieron antes</translation>
+  </message>
+  <message>
+   <source>Quad mesh from mesh</source>
+   <translation>Malla de cuadriláteros a partir de malla</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Quality</name>
+  <message>
+   <source>Colour the selected quad mesh by its quality, and list the worst quads</source>
+   <translation>Colorear la malla seleccionada según su calidad y listar los peores cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Calidad</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_SuggestSources</name>
+  <message>
+   <source>Find the leading and trailing edges of the selected mesh</source>
+   <translation>Encontrar los bordes de ataque y de salida de la malla seleccionada</translation>
+  </message>
+  <message>
+   <source>Suggest leading edges</source>
+   <translation>Sugerir bordes de ataque</translation>
+  </message>
+ </context>
+ <context>
+  <name>QuadMeshPanel</name>
+  <message>
+   <source>1st</source>
+   <translation>1.º</translation>
+  </message>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight, the mid-side nodes on the surface</source>
+   <translation>1.º: cuatro nodos por cuadrilátero; 2.º: ocho, los nodos intermedios sobre la superficie</translation>
+  </message>
+  <message>
+   <source>2nd</source>
+   <translation>2.º</translation>
+  </message>
+  <message>
+   <source>A quad mesh is made of a triangle mesh, and follows it: when the triangles, a source or an option change, it is made anew. Apply meshes and keeps the panel open; OK closes it; Cancel takes everything back. While it meshes, the window stays alive, and Stop keeps the old mesh.</source>
+   <translation>Una malla de cuadriláteros se hace de una malla de triángulos y la sigue: cuando cambian los triángulos, una fuente o una opción, se hace de nuevo. Aplicar malla y deja el panel abierto; Aceptar lo cierra; Cancelar lo deshace todo. Mientras malla, la ventana sigue viva, y Parar conserva la malla anterior.</translation>
+  </message>
+  <message>
+   <source>Add…</source>
+   <translation>Añadir…</translation>
+  </message>
+  <message>
+   <source>Anisotropy sources</source>
+   <translation>Fuentes de anisotropía</translation>
+  </message>
+  <message>
+   <source>Change the selected source</source>
+   <translation>Cambiar la fuente seleccionada</translation>
+  </message>
+  <message>
+   <source>Do not use the selected source any more</source>
+   <translation>No usar más la fuente seleccionada</translation>
+  </message>
+  <message>
+   <source>Draw where rows will come</source>
+   <translation>Dibujar dónde habrá filas</translation>
+  </message>
+  <message>
+   <source>Edges</source>
+   <translation>Aristas</translation>
+  </message>
+  <message>
+   <source>Edit…</source>
+   <translation>Editar…</translation>
+  </message>
+  <message>
+   <source>Element order</source>
+   <translation>Orden de los elementos</translation>
+  </message>
+  <message>
+   <source>Length</source>
+   <translation>Longitud</translation>
+  </message>
+  <message>
+   <source>Lines along which rows of long thin quads are built; a selected line is shown in the view</source>
+   <translation>Líneas junto a las cuales se construyen filas de cuadriláteros largos y finos; la seleccionada se muestra en la vista</translation>
+  </message>
+  <message>
+   <source>Meshing…</source>
+   <translation>Mallando…</translation>
+  </message>
+  <message>
+   <source>Options</source>
+   <translation>Opciones</translation>
+  </message>
+  <message>
+   <source>Passes or 1:n</source>
+   <translation>Pasadas o 1:n</translation>
+  </message>
+  <message>
+   <source>Pick a new line in the view</source>
+   <translation>Elegir una línea nueva en la vista</translation>
+  </message>
+  <message>
+   <source>Preview rows</source>
+   <translation>Previsualizar filas</translation>
+  </message>
+  <message>
+   <source>Quad mesh</source>
+   <translation>Malla de cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Quitar</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %</source>
+   <translation>Jacobiano escalado: peor {worst:.3f}, medio {mean:.3f}; nodos regulares: {regular:.1f} %</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Lados</translation>
+  </message>
+  <message>
+   <source>Source</source>
+   <translation>Fuente</translation>
+  </message>
+  <message>
+   <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
+   <translation>Fuente {source}, pasada {pass_} (1:{ratio}): filas {counts}</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Parar</translation>
+  </message>
+  <message>
+   <source>Stop meshing; the old mesh stays</source>
+   <translation>Parar el mallado; la malla anterior se conserva</translation>
+  </message>
+  <message>
+   <source>Stopped. The old mesh was kept.</source>
+   <translation>Parado. Se conservó la malla anterior.</translation>
+  </message>
+  <message>
+   <source>The triangle mesh that is turned into quads</source>
+   <translation>La malla de triángulos que se convierte en cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Triangles</source>
+   <translation>Triángulos</translation>
+  </message>
+  <message>
+   <source>Warning: {}</source>
+   <translation>Aviso: {}</translation>
+  </message>
+  <message>
+   <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
+   <translation>{quads} cuadriláteros de {triangles} triángulos ({reduction:.1f} % menos elementos)</translation>
+  </message>
+ </context>
+ <context>
+  <name>QualityPanel</name>
+  <message>
+   <source>Aspect ratio</source>
+   <translation>Relación de aspecto</translation>
+  </message>
+  <message>
+   <source>Element</source>
+   <translation>Elemento</translation>
+  </message>
+  <message>
+   <source>Number of quads (logarithmic) over the measure</source>
+   <translation>Número de cuadriláteros (logarítmico) según la medida</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Calidad</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>Fila</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian</source>
+   <translation>Jacobiano escalado</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Tamaño</translation>
+  </message>
+  <message>
+   <source>Skew</source>
+   <translation>Sesgo</translation>
+  </message>
+  <message>
+   <source>The quads are coloured by the chosen measure: red is bad, blue is good. The scaled Jacobian is 1 for a rectangle and 0 for a quad that is folded flat; thin quads of anisotropic rows keep a good one.</source>
+   <translation>Los cuadriláteros se colorean según la medida elegida: rojo es malo, azul es bueno. El jacobiano escalado es 1 para un rectángulo y 0 para un cuadrilátero plegado; los cuadriláteros finos de las filas anisótropas lo conservan bueno.</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Valor</translation>
+  </message>
+  <message>
+   <source>What the quads are coloured by</source>
+   <translation>Según qué se colorean los cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Worst quads; a click zooms to them:</source>
+   <translation>Peores cuadriláteros; un clic los enfoca:</translation>
+  </message>
+  <message>
+   <source>matplotlib is not installed: no histogram</source>
+   <translation>matplotlib no está instalado: sin histograma</translation>
+  </message>
+  <message>
+   <source>{low:.4g} … {high:.4g}, mean {mean:.4g}</source>
+   <translation>{low:.4g} … {high:.4g}, media {mean:.4g}</translation>
+  </message>
+ </context>
+ <context>
+  <name>SourcePanel</name>
+  <message>
+   <source>(closed)</source>
+   <translation>(cerrada)</translation>
+  </message>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>A source is a line on the triangles along which rows of long, thin quads are built on both sides. Pick it in the view, or choose edges of a Part object. The maximum anisotropy says how many times longer than high the quads at the line become; it falls off with every pass.</source>
+   <translation>Una fuente es una línea sobre los triángulos a cuyos lados se construyen filas de cuadriláteros largos y finos. Se elige en la vista o con aristas de un objeto Part. La anisotropía máxima dice cuántas veces más largos que altos son los cuadriláteros junto a la línea; disminuye con cada pasada.</translation>
+  </message>
+  <message>
+   <source>Anisotropy source</source>
+   <translation>Fuente de anisotropía</translation>
+  </message>
+  <message>
+   <source>Aspect at the line</source>
+   <translation>Aspecto junto a la línea</translation>
+  </message>
+  <message>
+   <source>Click a mesh edge to start, click another to extend the line along ridges and feature lines. Double-click takes the whole line, Ctrl-click cuts it, Esc leaves.</source>
+   <translation>Pulse una arista de la malla para empezar y otra para prolongar la línea por crestas y líneas características. Doble clic toma toda la línea, Ctrl-clic la corta, Esc sale.</translation>
+  </message>
+  <message>
+   <source>How many times longer than high the quads at the line become; 1: a feature line without rows</source>
+   <translation>Cuántas veces más largos que altos serán los cuadriláteros junto a la línea; 1: línea característica sin filas</translation>
+  </message>
+  <message>
+   <source>Imprint: make a line that zigzags over the triangles straight before rows start</source>
+   <translation>Imprimir: enderezar una línea que zigzaguea por los triángulos antes de las filas</translation>
+  </message>
+  <message>
+   <source>Length</source>
+   <translation>Longitud</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy</source>
+   <translation>Anisotropía máxima</translation>
+  </message>
+  <message>
+   <source>Merge ratio of each pass, with its number of rows or not, e.g. 4:6, 2, 2. Empty: chosen from the maximum anisotropy</source>
+   <translation>Relación de fusión de cada pasada, con su número de filas o sin él, p. ej. 4:6, 2, 2. Vacío: según la anisotropía máxima</translation>
+  </message>
+  <message>
+   <source>Mesh edges</source>
+   <translation>Aristas de la malla</translation>
+  </message>
+  <message>
+   <source>Passes</source>
+   <translation>Pasadas</translation>
+  </message>
+  <message>
+   <source>Pick a line first</source>
+   <translation>Elija primero una línea</translation>
+  </message>
+  <message>
+   <source>Pick in the view</source>
+   <translation>Elegir en la vista</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Lados</translation>
+  </message>
+  <message>
+   <source>Sides of the line, seen along it with the surface's normal up, that get rows</source>
+   <translation>Lados de la línea, vista a lo largo con la normal hacia arriba, que reciben filas</translation>
+  </message>
+  <message>
+   <source>Straighten zigzags</source>
+   <translation>Enderezar zigzags</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <translation>automático</translation>
+  </message>
+  <message>
+   <source>both</source>
+   <translation>ambos</translation>
+  </message>
+  <message>
+   <source>left</source>
+   <translation>izquierda</translation>
+  </message>
+  <message>
+   <source>right</source>
+   <translation>derecha</translation>
+  </message>
+ </context>
+ <context>
+  <name>SuggestPanel</name>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>Line {index}: {length}, {edges} edges</source>
+   <translation>Línea {index}: {length}, {edges} aristas</translation>
+  </message>
+  <message>
+   <source>Long, smooth ridges of the surface. OK makes a source of each that is ticked.</source>
+   <translation>Crestas largas y suaves de la superficie. Aceptar hace una fuente de cada una marcada.</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy</source>
+   <translation>Anisotropía máxima</translation>
+  </message>
+  <message>
+   <source>No long, smooth ridge was found. Pick the line in the view instead.</source>
+   <translation>No se encontró ninguna cresta larga y suave. Elija la línea en la vista.</translation>
+  </message>
+  <message>
+   <source>Ridges of curvature and sharp edges that are long and smooth look like leading and trailing edges. Tick those that shall become sources.</source>
+   <translation>Las crestas de curvatura y aristas vivas largas y suaves parecen bordes de ataque y de salida. Marque las que deban ser fuentes.</translation>
+  </message>
+  <message>
+   <source>Suggested sources</source>
+   <translation>Fuentes sugeridas</translation>
+  </message>
+ </context>
+</TS>

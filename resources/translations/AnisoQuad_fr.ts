@@ -1,0 +1,456 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+ <context>
+  <name>AnisoQuadPreferences</name>
+  <message>
+   <source> px</source>
+   <translation> px</translation>
+  </message>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>1st</source>
+   <translation>1er</translation>
+  </message>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight, the mid-side nodes on the surface</source>
+   <translation>1er : quatre nœuds par quadrangle ; 2e : huit, les nœuds milieux sur la surface</translation>
+  </message>
+  <message>
+   <source>2nd</source>
+   <translation>2e</translation>
+  </message>
+  <message>
+   <source>Defaults of new objects</source>
+   <translation>Valeurs par défaut des nouveaux objets</translation>
+  </message>
+  <message>
+   <source>Element order of a quad mesh</source>
+   <translation>Ordre des éléments d’un maillage quadrangulaire</translation>
+  </message>
+  <message>
+   <source>General</source>
+   <translation>Général</translation>
+  </message>
+  <message>
+   <source>Hide the triangles once the quads are there</source>
+   <translation>Masquer les triangles dès que les quadrangles sont là</translation>
+  </message>
+  <message>
+   <source>How many times longer than high the quads at the line become</source>
+   <translation>Combien de fois plus longs que hauts deviennent les quadrangles le long de la ligne</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy of a source</source>
+   <translation>Anisotropie maximale d’une source</translation>
+  </message>
+  <message>
+   <source>View</source>
+   <translation>Vue</translation>
+  </message>
+  <message>
+   <source>Width of source lines</source>
+   <translation>Largeur des lignes des sources</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_AddSource</name>
+  <message>
+   <source>Add anisotropy source</source>
+   <translation>Ajouter une source d’anisotropie</translation>
+  </message>
+  <message>
+   <source>Pick a line on the selected mesh along which rows of long thin quads are built;
+with edges of a Part object selected, they are the line</source>
+   <translation>Choisir sur le maillage sélectionné une ligne le long de laquelle naissent des rangées de quadrangles longs et fins ;
+si des arêtes d’un objet Part sont sélectionnées, elles sont la ligne</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Edit</name>
+  <message>
+   <source>Change the selected quad mesh or source</source>
+   <translation>Modifier le maillage quadrangulaire ou la source sélectionnés</translation>
+  </message>
+  <message>
+   <source>Edit</source>
+   <translation>Modifier</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Export</name>
+  <message>
+   <source>Export</source>
+   <translation>Exporter</translation>
+  </message>
+  <message>
+   <source>Export quad mesh</source>
+   <translation>Exporter le maillage quadrangulaire</translation>
+  </message>
+  <message>
+   <source>Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj</source>
+   <translation>Écrire le maillage quadrangulaire sélectionné en .vtu, .inp, .msh, .su2 ou .obj</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Preferences</name>
+  <message>
+   <source>Defaults of new quad meshes and sources</source>
+   <translation>Valeurs par défaut des nouveaux maillages et sources</translation>
+  </message>
+  <message>
+   <source>Preferences</source>
+   <translation>Préférences</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_QuadMesh</name>
+  <message>
+   <source>Make an all-quad surface mesh of the selected triangle mesh or Part shape,
+with the sources that were added to it before</source>
+   <translation>Faire un maillage de surface entièrement quadrangulaire du maillage de triangles ou de la forme Part sélectionnés,
+avec les sources ajoutées auparavant</translation>
+  </message>
+  <message>
+   <source>Quad mesh from mesh</source>
+   <translation>Maillage quadrangulaire à partir d’un maillage</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_Quality</name>
+  <message>
+   <source>Colour the selected quad mesh by its quality, and list the worst quads</source>
+   <translation>Colorer le maillage sélectionné selon sa qualité et lister les pires quadrangles</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Qualité</translation>
+  </message>
+ </context>
+ <context>
+  <name>AnisoQuad_SuggestSources</name>
+  <message>
+   <source>Find the leading and trailing edges of the selected mesh</source>
+   <translation>Trouver les bords d’attaque et de fuite du maillage sélectionné</translation>
+  </message>
+  <message>
+   <source>Suggest leading edges</source>
+   <translation>Proposer des bords d’attaque</translation>
+  </message>
+ </context>
+ <context>
+  <name>QuadMeshPanel</name>
+  <message>
+   <source>1st</source>
+   <translation>1er</translation>
+  </message>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight, the mid-side nodes on the surface</source>
+   <translation>1er : quatre nœuds par quadrangle ; 2e : huit, les nœuds milieux sur la surface</translation>
+  </message>
+  <message>
+   <source>2nd</source>
+   <translation>2e</translation>
+  </message>
+  <message>
+   <source>A quad mesh is made of a triangle mesh, and follows it: when the triangles, a source or an option change, it is made anew. Apply meshes and keeps the panel open; OK closes it; Cancel takes everything back. While it meshes, the window stays alive, and Stop keeps the old mesh.</source>
+   <translation>Un maillage quadrangulaire est fait d’un maillage de triangles et le suit : quand les triangles, une source ou une option changent, il est refait. Appliquer maille et laisse le panneau ouvert ; OK le ferme ; Annuler défait tout. Pendant le maillage la fenêtre reste vivante, et Arrêter garde l’ancien.</translation>
+  </message>
+  <message>
+   <source>Add…</source>
+   <translation>Ajouter…</translation>
+  </message>
+  <message>
+   <source>Anisotropy sources</source>
+   <translation>Sources d’anisotropie</translation>
+  </message>
+  <message>
+   <source>Change the selected source</source>
+   <translation>Modifier la source sélectionnée</translation>
+  </message>
+  <message>
+   <source>Do not use the selected source any more</source>
+   <translation>Ne plus utiliser la source sélectionnée</translation>
+  </message>
+  <message>
+   <source>Draw where rows will come</source>
+   <translation>Dessiner où viendront les rangées</translation>
+  </message>
+  <message>
+   <source>Edges</source>
+   <translation>Arêtes</translation>
+  </message>
+  <message>
+   <source>Edit…</source>
+   <translation>Modifier…</translation>
+  </message>
+  <message>
+   <source>Element order</source>
+   <translation>Ordre des éléments</translation>
+  </message>
+  <message>
+   <source>Length</source>
+   <translation>Longueur</translation>
+  </message>
+  <message>
+   <source>Lines along which rows of long thin quads are built; a selected line is shown in the view</source>
+   <translation>Lignes le long desquelles naissent des rangées de quadrangles longs et fins ; la ligne sélectionnée est montrée dans la vue</translation>
+  </message>
+  <message>
+   <source>Meshing…</source>
+   <translation>Maillage en cours…</translation>
+  </message>
+  <message>
+   <source>Options</source>
+   <translation>Options</translation>
+  </message>
+  <message>
+   <source>Passes or 1:n</source>
+   <translation>Passes ou 1:n</translation>
+  </message>
+  <message>
+   <source>Pick a new line in the view</source>
+   <translation>Choisir une nouvelle ligne dans la vue</translation>
+  </message>
+  <message>
+   <source>Preview rows</source>
+   <translation>Aperçu des rangées</translation>
+  </message>
+  <message>
+   <source>Quad mesh</source>
+   <translation>Maillage quadrangulaire</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Retirer</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %</source>
+   <translation>Jacobien normalisé : pire {worst:.3f}, moyen {mean:.3f} ; nœuds réguliers : {regular:.1f} %</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Côtés</translation>
+  </message>
+  <message>
+   <source>Source</source>
+   <translation>Source</translation>
+  </message>
+  <message>
+   <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
+   <translation>Source {source}, passe {pass_} (1:{ratio}) : rangées {counts}</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Arrêter</translation>
+  </message>
+  <message>
+   <source>Stop meshing; the old mesh stays</source>
+   <translation>Arrêter le maillage ; l’ancien reste</translation>
+  </message>
+  <message>
+   <source>Stopped. The old mesh was kept.</source>
+   <translation>Arrêté. L’ancien maillage est resté.</translation>
+  </message>
+  <message>
+   <source>The triangle mesh that is turned into quads</source>
+   <translation>Le maillage de triangles changé en quadrangles</translation>
+  </message>
+  <message>
+   <source>Triangles</source>
+   <translation>Triangles</translation>
+  </message>
+  <message>
+   <source>Warning: {}</source>
+   <translation>Attention : {}</translation>
+  </message>
+  <message>
+   <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
+   <translation>{quads} quadrangles à partir de {triangles} triangles ({reduction:.1f} % d’éléments en moins)</translation>
+  </message>
+ </context>
+ <context>
+  <name>QualityPanel</name>
+  <message>
+   <source>Aspect ratio</source>
+   <translation>Rapport d’aspect</translation>
+  </message>
+  <message>
+   <source>Element</source>
+   <translation>Élément</translation>
+  </message>
+  <message>
+   <source>Number of quads (logarithmic) over the measure</source>
+   <translation>Nombre de quadrangles (logarithmique) selon la mesure</translation>
+  </message>
+  <message>
+   <source>Quality</source>
+   <translation>Qualité</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>Rangée</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian</source>
+   <translation>Jacobien normalisé</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <source>Skew</source>
+   <translation>Biais</translation>
+  </message>
+  <message>
+   <source>The quads are coloured by the chosen measure: red is bad, blue is good. The scaled Jacobian is 1 for a rectangle and 0 for a quad that is folded flat; thin quads of anisotropic rows keep a good one.</source>
+   <translation>Les quadrangles sont colorés selon la mesure choisie : rouge est mauvais, bleu est bon. Le jacobien normalisé vaut 1 pour un rectangle et 0 pour un quadrangle replié ; les quadrangles fins des rangées anisotropes en gardent un bon.</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Valeur</translation>
+  </message>
+  <message>
+   <source>What the quads are coloured by</source>
+   <translation>Ce selon quoi les quadrangles sont colorés</translation>
+  </message>
+  <message>
+   <source>Worst quads; a click zooms to them:</source>
+   <translation>Pires quadrangles ; un clic y mène :</translation>
+  </message>
+  <message>
+   <source>matplotlib is not installed: no histogram</source>
+   <translation>matplotlib n’est pas installé : pas d’histogramme</translation>
+  </message>
+  <message>
+   <source>{low:.4g} … {high:.4g}, mean {mean:.4g}</source>
+   <translation>{low:.4g} … {high:.4g}, moyenne {mean:.4g}</translation>
+  </message>
+ </context>
+ <context>
+  <name>SourcePanel</name>
+  <message>
+   <source>(closed)</source>
+   <translation>(fermée)</translation>
+  </message>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>A source is a line on the triangles along which rows of long, thin quads are built on both sides. Pick it in the view, or choose edges of a Part object. The maximum anisotropy says how many times longer than high the quads at the line become; it falls off with every pass.</source>
+   <translation>Une source est une ligne sur les triangles, des deux côtés de laquelle naissent des rangées de quadrangles longs et fins. Elle se choisit dans la vue, ou par des arêtes d’un objet Part. L’anisotropie maximale dit combien de fois plus longs que hauts sont les quadrangles le long de la ligne ; elle diminue à chaque passe.</translation>
+  </message>
+  <message>
+   <source>Anisotropy source</source>
+   <translation>Source d’anisotropie</translation>
+  </message>
+  <message>
+   <source>Aspect at the line</source>
+   <translation>Aspect le long de la ligne</translation>
+  </message>
+  <message>
+   <source>Click a mesh edge to start, click another to extend the line along ridges and feature lines. Double-click takes the whole line, Ctrl-click cuts it, Esc leaves.</source>
+   <translation>Cliquez une arête du maillage pour commencer, une autre pour prolonger la ligne le long des crêtes et lignes caractéristiques. Double-clic prend toute la ligne, Ctrl-clic la coupe, Échap quitte.</translation>
+  </message>
+  <message>
+   <source>How many times longer than high the quads at the line become; 1: a feature line without rows</source>
+   <translation>Combien de fois plus longs que hauts deviennent les quadrangles le long de la ligne ; 1 : ligne caractéristique sans rangées</translation>
+  </message>
+  <message>
+   <source>Imprint: make a line that zigzags over the triangles straight before rows start</source>
+   <translation>Imprimer : redresser une ligne en zigzag sur les triangles avant les rangées</translation>
+  </message>
+  <message>
+   <source>Length</source>
+   <translation>Longueur</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy</source>
+   <translation>Anisotropie maximale</translation>
+  </message>
+  <message>
+   <source>Merge ratio of each pass, with its number of rows or not, e.g. 4:6, 2, 2. Empty: chosen from the maximum anisotropy</source>
+   <translation>Rapport de fusion de chaque passe, avec ou sans nombre de rangées, p. ex. 4:6, 2, 2. Vide : d’après l’anisotropie maximale</translation>
+  </message>
+  <message>
+   <source>Mesh edges</source>
+   <translation>Arêtes du maillage</translation>
+  </message>
+  <message>
+   <source>Passes</source>
+   <translation>Passes</translation>
+  </message>
+  <message>
+   <source>Pick a line first</source>
+   <translation>Choisissez d’abord une ligne</translation>
+  </message>
+  <message>
+   <source>Pick in the view</source>
+   <translation>Choisir dans la vue</translation>
+  </message>
+  <message>
+   <source>Sides</source>
+   <translation>Côtés</translation>
+  </message>
+  <message>
+   <source>Sides of the line, seen along it with the surface's normal up, that get rows</source>
+   <translation>Côtés de la ligne, vue dans sa direction, normale vers le haut, qui reçoivent des rangées</translation>
+  </message>
+  <message>
+   <source>Straighten zigzags</source>
+   <translation>Redresser les zigzags</translation>
+  </message>
+  <message>
+   <source>automatic</source>
+   <translation>automatique</translation>
+  </message>
+  <message>
+   <source>both</source>
+   <translation>les deux</translation>
+  </message>
+  <message>
+   <source>left</source>
+   <translation>gauche</translation>
+  </message>
+  <message>
+   <source>right</source>
+   <translation>droite</translation>
+  </message>
+ </context>
+ <context>
+  <name>SuggestPanel</name>
+  <message>
+   <source>1:</source>
+   <translation>1:</translation>
+  </message>
+  <message>
+   <source>Line {index}: {length}, {edges} edges</source>
+   <translation>Ligne {index} : {length}, {edges} arêtes</translation>
+  </message>
+  <message>
+   <source>Long, smooth ridges of the surface. OK makes a source of each that is ticked.</source>
+   <translation>Crêtes longues et lisses de la surface. OK fait une source de chacune qui est cochée.</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy</source>
+   <translation>Anisotropie maximale</translation>
+  </message>
+  <message>
+   <source>No long, smooth ridge was found. Pick the line in the view instead.</source>
+   <translation>Aucune crête longue et lisse. Choisissez plutôt la ligne dans la vue.</translation>
+  </message>
+  <message>
+   <source>Ridges of curvature and sharp edges that are long and smooth look like leading and trailing edges. Tick those that shall become sources.</source>
+   <translation>Les crêtes de courbure et arêtes vives longues et lisses ressemblent à des bords d’attaque et de fuite. Cochez celles qui doivent devenir des sources.</translation>
+  </message>
+  <message>
+   <source>Suggested sources</source>
+   <translation>Sources proposées</translation>
+  </message>
+ </context>
+</TS>

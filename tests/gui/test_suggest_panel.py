@@ -1,0 +1,41 @@
+"""Leading edges that are found by themselves."""
+
+import FreeCADGui
+from PySide import QtCore
+from window import WindowTest, wait
+
+
+class SuggestPanel(WindowTest):
+    def test_the_leading_edge_is_offered_and_taken(self):
+        self.select(self.base)
+        self.run_command("AnisoQuad_SuggestSources")
+        form = self.panel("SuggestPanel")
+        lines = form.findChild(object, "lines")
+        self.assertGreaterEqual(lines.count(), 1)
+        self.assertEqual([lines.item(row).checkState() for row in range(lines.count())],
+                         [QtCore.Qt.Checked] + [QtCore.Qt.Unchecked] * (lines.count() - 1))
+        self.screenshot("suggest")
+        form.findChild(object, "anisotropy").setValue(8)
+        self.button("OK").click()
+        wait()
+        source = self.doc.getObject("Source")
+        self.assertIn(source.Vertices, (self.leading_edge, self.leading_edge[::-1]))
+        self.assertEqual((source.Anisotropy, source.EdgeCount), (8, len(self.leading_edge) - 1))
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.doc.undo()
+        self.assertIsNone(self.doc.getObject("Source"))
+
+    def test_a_quad_mesh_gets_the_sources(self):
+        quads = self.make_quad_mesh(sources=[])
+        self.select(quads)
+        self.run_command("AnisoQuad_SuggestSources")
+        self.button("OK").click()
+        wait()
+        self.assertEqual([source.Name for source in quads.Sources], ["Source"])
+
+    def test_cancel_makes_nothing(self):
+        self.select(self.base)
+        self.run_command("AnisoQuad_SuggestSources")
+        self.button("Cancel").click()
+        wait()
+        self.assertEqual(len(self.doc.Objects), 1)
