@@ -291,7 +291,8 @@ void check_options(const Options& options) {
         invalid_option("The feature angle must be above 0 and at most 180 degrees.");
     }
     if (!(options.row_growth >= 1.0 && std::isfinite(options.row_growth))) invalid_option("The row growth must be 1 or more.");
-    if (!(options.size >= 0.0 && std::isfinite(options.size))) invalid_option("The size must be 0 (that of the triangles) or more.");
+    if (!(options.size >= 0.0 && std::isfinite(options.size)))
+        invalid_option("The size must be 0 (that of the triangles) or more.");
     if (!(options.growth >= 1.0 && std::isfinite(options.growth))) invalid_option("The growth must be 1 or more.");
     if (!(options.curvature_angle >= 0.0 && options.curvature_angle <= 180.0)) {
         invalid_option("The curvature angle must be 0 (none) to 180 degrees.");

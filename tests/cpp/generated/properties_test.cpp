@@ -44,7 +44,8 @@ TEST_P(Generated, SurfacesAreValid) {
     for_cases([](const std::vector<std::uint8_t>& bytes) {
         ByteSource source(bytes);
         const shapes::Shape shape = make_surface(source);
-        if (!shape.triangles.empty()) EXPECT_NO_THROW(check_input(shape.points, shape.triangles));
+        if (shape.triangles.empty()) return;
+        EXPECT_NO_THROW(check_input(shape.points, shape.triangles));
     });
 }
 
