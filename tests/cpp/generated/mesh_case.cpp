@@ -112,7 +112,7 @@ MeshCase make_case(ByteSource& source, bool may_be_bad) {
 
     result.shape = make_surface(source);
     // A long thin strip is remeshed to squares of its width: right, but no test of some hundred triangles any more.
-    if (options.prepare && most_squares(result.shape) > 5000.0) options.prepare = false;
+    if (options.prepare && most_squares(result.shape) > 300.0) options.prepare = false;
     if (!result.shape.triangles.empty()) {
         const SurfaceMesh mesh = result.shape.mesh();
         add_sources(result, mesh, source);
