@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "anisotropy/blend_ahead.h"
 #include "anisotropy/local_size.h"
@@ -63,8 +62,7 @@ class Pipeline {
 
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
-        check_options(options_);
-        check_vertex_sizes(options_, points_.size());
+        check_options(options_, points_.size());
         check_input(points_, triangles_);
         const Frame frame(points_, triangles_);
         for (const Point& p : points_) unit_points_.push_back(frame.in(p));
@@ -266,30 +264,20 @@ class Pipeline {
     std::chrono::steady_clock::time_point started_;
 };
 
-/// Sizes for the vertices that the repair added too: that of the vertex at their place, or the least of their neighbours'.
-void extend_sizes(std::vector<double>& sizes, const RepairResult& repaired) {
-    const std::size_t given = sizes.size();
-    sizes.resize(repaired.points.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t v = given; v < sizes.size(); ++v) {
-        if (repaired.origin[v] >= 0) sizes[v] = sizes[static_cast<std::size_t>(repaired.origin[v])];
-    }
-    for (const auto& t : repaired.triangles) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const std::int32_t v : t) least = std::min(least, sizes[static_cast<std::size_t>(v)]);
-        for (const std::int32_t v : t) {
-            if (repaired.origin[static_cast<std::size_t>(v)] < 0)
-                sizes[static_cast<std::size_t>(v)] = std::min(sizes[static_cast<std::size_t>(v)], least);
-        }
-    }
-}
-
 /// The whole way for a mended surface. Ids in the result are those of the input.
 QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, Options options,
                              Context& context) {
     context.begin_stage("repair", 0.0, 0.01);
     const RepairResult repaired = repair_surface(points, triangles, sources, options.feature_edges);
     options.feature_edges = repaired.feature_edges;
-    if (options.vertex_size.size() == points.size()) extend_sizes(options.vertex_size, repaired);
+    if (options.vertex_size.size() == points.size() && !points.empty()) {
+        // Vertices that the repair adds stand at an input vertex, or on an edge, where the smallest size does no harm.
+        const double least = *std::min_element(options.vertex_size.begin(), options.vertex_size.end());
+        for (std::size_t i = points.size(); i < repaired.points.size(); ++i) {
+            const std::int32_t origin = repaired.origin[i];
+            options.vertex_size.push_back(origin >= 0 ? options.vertex_size[static_cast<std::size_t>(origin)] : least);
+        }
+    }
     QuadMeshResult result = Pipeline(repaired.points, repaired.triangles, repaired.sources, options, context).run();
     for (std::int32_t& input : result.node_input) input = input >= 0 ? repaired.origin[static_cast<std::size_t>(input)] : -1;
     result.report.repair = repaired.report;

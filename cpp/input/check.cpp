@@ -286,30 +286,25 @@ void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources) {
     for (std::size_t i = 0; i < sources.size(); ++i) checker.check(sources[i], i);
 }
 
-void check_options(const Options& options) {
+void check_options(const Options& options, std::size_t points) {
     if (!(options.feature_angle > 0.0 && options.feature_angle <= 180.0)) {
         invalid_option("The feature angle must be above 0 and at most 180 degrees.");
     }
     if (!(options.row_growth >= 1.0 && std::isfinite(options.row_growth))) invalid_option("The row growth must be 1 or more.");
-    if (!(options.size >= 0.0 && std::isfinite(options.size)))
-        invalid_option("The size must be 0 (that of the triangles) or more.");
-    if (!(options.growth >= 1.0 && std::isfinite(options.growth))) invalid_option("The growth must be 1 or more.");
+    if (!(options.size >= 0.0 && std::isfinite(options.size))) invalid_option("The size must be 0 (that of the triangles) or a length.");
+    const auto is_length = [](double size) { return size > 0.0 && std::isfinite(size); };
+    if (!options.vertex_size.empty() && options.vertex_size.size() != points) {
+        invalid_option("There must be one size per vertex: " + std::to_string(options.vertex_size.size()) + " sizes were given for " +
+                       std::to_string(points) + " vertices.");
+    }
+    if (!std::all_of(options.vertex_size.begin(), options.vertex_size.end(), is_length)) {
+        invalid_option("The sizes per vertex must be lengths above 0.");
+    }
+    if (!(options.growth > 1.0 && std::isfinite(options.growth))) invalid_option("The growth must be above 1.");
     if (!(options.curvature_angle >= 0.0 && options.curvature_angle <= 180.0)) {
-        invalid_option("The curvature angle must be 0 (none) to 180 degrees.");
+        invalid_option("The curvature angle must be between 0 and 180 degrees.");
     }
     if (options.smoothing_passes < 0) invalid_option("The number of smoothing passes must be 0 or more.");
-}
-
-void check_vertex_sizes(const Options& options, std::size_t vertices) {
-    const std::vector<double>& sizes = options.vertex_size;
-    if (sizes.empty()) return;
-    if (sizes.size() != vertices) {
-        invalid_option("There are " + std::to_string(sizes.size()) + " vertex sizes for " + std::to_string(vertices) +
-                       " vertices. Give one for each.");
-    }
-    if (!std::all_of(sizes.begin(), sizes.end(), [](double s) { return s > 0.0 && std::isfinite(s); })) {
-        invalid_option("Every vertex size must be above 0.");
-    }
 }
 
 void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges) {
