@@ -5,12 +5,14 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "input/check.h"
 #include "picking/best_path.h"
 #include "picking/edge_on_ray.h"
 #include "picking/imprint.h"
 #include "picking/onto_surface.h"
 #include "picking/preview_rows.h"
 #include "picking/ridge.h"
+#include "picking/zigzag.h"
 
 namespace py = pybind11;
 
@@ -98,7 +100,15 @@ void bind_picking(py::module_& module) {
         .def("whole_line", &whole_line, py::arg("start"), py::arg("end"), "Vertex ids of the line through a mesh edge")
         .def("suggest_lines", &suggest_lines, "Vertex ids of lines that look like leading and trailing edges")
         .def(
-            "is_zigzag", [](const PickSurface& surface, const Ids& path) { return is_zigzag(surface, path); }, py::arg("path"))
+            "is_zigzag",
+            [](const PickSurface& surface, const Ids& path) {
+                const Source source{path, {}, Sides::both};
+                check_sources(surface.mesh, std::span(&source, 1));
+                std::vector<Vertex> vertices;
+                for (const std::int32_t v : path) vertices.emplace_back(v);
+                return is_zigzag(surface.mesh, vertices);
+            },
+            py::arg("path"))
         .def("imprint", &imprinted, py::arg("path"), "(points, triangles, path, number of straightened pieces)")
         .def("onto_surface", &projected, py::arg("points"), py::arg("on_line"),
              "(N,3) points on the surface, or on its feature lines");
