@@ -30,7 +30,11 @@ std::vector<Pass> passes_for_anisotropy(int anisotropy);
 struct Options {
     double feature_angle = 40.0;  ///< degrees; edges whose facets turn by more are feature lines
     std::vector<std::array<std::int32_t, 2>> feature_edges;  ///< further feature edges, as pairs of input vertex ids
-    bool prepare = false;         ///< remesh patches whose triangles are too long and thin for quads (CAD tessellations) before anything else
+    bool prepare = true;          ///< remesh patches whose triangles can't hold quads first: too long and thin, or too steeply graded
+    double size = 0.0;            ///< wanted edge length of the quads in the input's unit; remeshes all patches. 0: that of the triangles
+    std::vector<double> vertex_size;  ///< the same, one length per input vertex; empty: `size` everywhere
+    double growth = 1.3;          ///< limit between the sizes of neighbouring elements where patches are remeshed
+    double curvature_angle = 30.0;  ///< degrees that one edge may turn along the surface where patches are remeshed; 0: any
     double row_growth = 1.2;    ///< limit of the height of a row over that of the row before
     int smoothing_passes = 30;  ///< limit of sweeps of the final smoothing
     bool cleanup = true;        ///< topological clean-up after the fill

@@ -11,10 +11,12 @@
 #include "features/parity.h"
 #include "features/patches.h"
 #include "features/reference_lines.h"
+#include "features/ridges.h"
 #include "input/check.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
 #include "prepare/prepare.h"
+#include "prepare/size_range.h"
 #include "qmorph/node_size.h"
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
@@ -25,6 +27,8 @@ namespace anisoquad {
 namespace {
 
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
+
+constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
 
 /// Moves the model to the origin and gives it the size 1, so that nothing depends on where and how large it is.
 struct Frame {
@@ -63,9 +67,9 @@ class Pipeline {
         end();
 
         begin("features", 0.02, 0.05);
-        const std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        std::vector<char> in_fold;
+        const std::vector<FeatureLine> lines = find_lines(frame, in_fold);
         const ReferenceLines reference_lines(mesh_, lines);
-        report().patches = find_patches(mesh_);
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
         for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
@@ -74,12 +78,13 @@ class Pipeline {
 
         begin("prepare", 0.05, 0.1);
         std::vector<Source> sources(sources_.begin(), sources_.end());
-        if (options_.prepare) prepare(sources, reference);
+        const bool remeshed = prepare(sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold});
         end();
+        if (remeshed) snapshot("prepare", frame);
 
         begin("rows", 0.1, 0.25);
         assign_node_sizes(mesh_);
-        build_rows(sources, reference, frame);
+        build_rows(sources, reference, frame, remeshed);
         end();
 
         begin("parity", 0.25, 0.26);
@@ -137,17 +142,49 @@ class Pipeline {
         if (topology(mesh_) != before_) throw std::logic_error("the topology changed in stage '" + stage_ + "'");
     }
 
-    void prepare(std::vector<Source>& sources, const ReferenceSurface& reference) {
-        const PrepareResult prepared = prepare_triangles(mesh_, unit_points_, triangles_, reference, sources, context_);
-        if (prepared.patches == 0) return;
-        warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.poor) +
-             " of their triangles are too long and thin for quads (" + std::to_string(prepared.triangles_before) + " triangles became " +
-             std::to_string(prepared.triangles_after) + ")");
+    /// Feature lines and patches. Where triangles are to be remeshed, folds that would be lost become lines too.
+    std::vector<FeatureLine> find_lines(const Frame& frame, std::vector<char>& in_fold) {
+        std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        report().patches = find_patches(mesh_);
+        const std::vector<char> chosen = patches_to_remesh(mesh_, options_);
+        if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
+        const SizeRange range = size_range(unit_points_, triangles_, 1.0, frame.scale, options_);
+        Ridges ridges = find_ridges(mesh_, chosen, {.width = kFoldWidth * range.largest});
+        in_fold = std::move(ridges.in_fold);
+        if (ridges.edges.empty()) return lines;
+        lines = find_features(mesh_, sources_, options_, ridges.edges);
+        report().patches = find_patches(mesh_);
+        return lines;
     }
 
-    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, const Frame& frame) {
+    /// @returns true if triangles were remeshed
+    bool prepare(std::vector<Source>& sources, const PrepareInput& input) {
+        const PrepareResult prepared = prepare_triangles(mesh_, input, sources, options_, context_);
+        if (prepared.patches == 0) return false;
+        std::string why;
+        if (prepared.poor > 0) {
+            why += "; " + std::to_string(prepared.poor) + " of them have triangles too long and thin for quads (" +
+                   std::to_string(prepared.poor_triangles) + " triangles)";
+        }
+        if (prepared.graded > 0) why += "; in " + std::to_string(prepared.graded) + " of them the triangles' size changes too fast";
+        warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.triangles_before) +
+             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + std::to_string(prepared.size) + why);
+        return true;
+    }
+
+    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, const Frame& frame, bool remeshed) {
         if (std::all_of(sources.begin(), sources.end(), [](const Source& s) { return s.passes.empty(); })) return;
-        const LocalSize size(unit_points_, triangles_, reference);
+        // Sizes are those of the triangles in use.
+        std::vector<Point> points;
+        std::vector<std::array<std::int32_t, 3>> triangles;
+        ReferenceSurface in_use;
+        if (remeshed) {
+            MeshArrays arrays = to_arrays(mesh_);
+            points = std::move(arrays.points);
+            for (const auto& f : arrays.faces) triangles.push_back({f[0], f[1], f[2]});
+            in_use = ReferenceSurface(points, triangles);
+        }
+        const LocalSize size = remeshed ? LocalSize(points, triangles, in_use) : LocalSize(unit_points_, triangles_, reference);
         const auto observe = [&](const std::string& stage) {
 #ifdef ANISOQUAD_VALIDATE
             stage_ = stage;

@@ -15,7 +15,7 @@ namespace anisoquad {
 
 /// A copy of the mesh in mid-way, for pictures. Faces have three or four nodes (fourth = -1 for triangles).
 struct StageSnapshot {
-    std::string name;  ///< "pass 1: rows", "pass 1: merge", …, "fill", "result"
+    std::string name;  ///< "prepare" (if triangles were remeshed), "pass 1: rows", "pass 1: merge", …, "fill", "result"
     std::vector<Eigen::Vector3d> points;
     std::vector<std::array<std::int32_t, 4>> faces;
     std::vector<std::int32_t> row;  ///< per face, 0 = not in a row

@@ -99,7 +99,7 @@ void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference) {
             }
         }
     }
-    remesh_triangles(mesh, zone, reference, 8);
+    remesh_triangles(mesh, zone, reference, {.sweeps = 8, .deviation = 1e-3});
 }
 
 }  // namespace anisoquad

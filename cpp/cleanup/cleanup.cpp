@@ -18,6 +18,9 @@ constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular 
 constexpr std::size_t kLeastTries = 500;
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
+constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
+constexpr Trial::Demands kRepairAtAnyPrice{-12, 0.4, 0.05, 4.0};
+constexpr int kRepairRounds = 3;
 
 std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
     std::int32_t n = 0;
@@ -84,21 +87,33 @@ class Cleaner {
         return replaced;
     }
 
-    /// Poor quads, with what does not make the mesh more irregular.
+    /// Poor quads, with what does not make the mesh more irregular; unusable ones with what does too.
     void repair() {
-        for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) {
-            const Face f(i);
-            if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0 || scaled_jacobian(mesh_, f) > kPoor) continue;
-            proposals_.clear();
-            std::array<Vertex, 4> nodes;
-            std::size_t k = 0;
-            for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
-            for (const Vertex v : nodes) {
-                find_proposals(v, kRepair.gain);
-                if (apply_best(kRepair)) break;
-            }
+        for (int round = 0; round < kRepairRounds; ++round) {
+            const std::int32_t before = operations_;
+            for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair(Face(i));
+            work_off();
+            if (operations_ == before) return;
         }
-        work_off();
+    }
+
+    void repair(Face f) {
+        if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0) return;
+        const double quality = scaled_jacobian(mesh_, f);
+        if (quality > kPoor) return;
+        const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
+        std::array<Vertex, 4> nodes;
+        std::size_t k = 0;
+        for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
+        for (const Vertex v : nodes) {
+            find_proposals(v, demands.gain);
+            if (apply_best(demands)) return;
+        }
+        if (quality > kUnusable) return;
+        proposals_.clear();
+        propose_inset(mesh_, f, proposals_);
+        sort_out(demands.gain);
+        apply_best(demands);
     }
 
     void find_proposals(Vertex v, int least_gain) {
@@ -111,6 +126,11 @@ class Cleaner {
         propose_edge_rotation(mesh_, v, proposals_);
         propose_hexagon(mesh_, v, proposals_);
         propose_vertex_split(mesh_, v, proposals_);
+        sort_out(least_gain);
+    }
+
+    /// What is possible and gains enough, best first.
+    void sort_out(int least_gain) {
         order_.clear();
         for (std::size_t i = 0; i < proposals_.size(); ++i) {
             Proposal& p = proposals_[i];

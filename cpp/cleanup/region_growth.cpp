@@ -91,7 +91,7 @@ bool RegionGrowth::grow_to_next(Region& region, const Limits& limits) {
     return false;
 }
 
-bool RegionGrowth::try_patch(Region& region) {
+bool RegionGrowth::try_patch(Region& region, const Trial::Demands& demands) {
     const SurfaceMesh& mesh = trial_.mesh();
     const std::size_t n = region.loop.size();
     std::vector<std::size_t> corners;
@@ -110,7 +110,7 @@ bool RegionGrowth::try_patch(Region& region) {
     const int sides = static_cast<int>(corners.size());
     if (sides < 2 || sides > kMostSides) return false;
     for (const Vertex v : region.inner) cost += irregularity(mesh.valence(v));
-    const int budget = std::min(cost - least - 1, 3);
+    const int budget = std::min(cost - least - demands.gain, 3);
     if (budget < std::abs(sides - 4)) return false;
     Sides counts;
     std::vector<std::vector<Vertex>> lines;
@@ -128,7 +128,7 @@ bool RegionGrowth::try_patch(Region& region) {
     }
     if (!planner_.plan(counts, budget).is_possible()) return false;
     const Replacement patch = mesh_patch(mesh, planner_, lines, budget, size / static_cast<double>(n));
-    return trial_.attempt(region, patch, {});
+    return trial_.attempt(region, patch, demands);
 }
 
 /// The faces of the irregular sector of the seed.
@@ -152,12 +152,12 @@ void RegionGrowth::add_ring(Region& region) {
 bool RegionGrowth::improve(Vertex seed, const Limits& limits, Region& region) {
     if (!begin(seed, region)) return false;
     for (int step = 0; step < limits.steps && make_convex(region, limits); ++step) {
-        if (try_patch(region)) return true;
+        if (try_patch(region, limits.demands)) return true;
         if (!trial_.editor().find_outline(region) || !grow_to_next(region, limits)) break;
     }
     begin(seed, region);
     for (int ring = 0; ring < limits.rings && make_convex(region, limits); ++ring) {
-        if (try_patch(region)) return true;
+        if (try_patch(region, limits.demands)) return true;
         if (!trial_.editor().find_outline(region)) break;
         add_ring(region);
     }

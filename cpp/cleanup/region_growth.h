@@ -16,6 +16,7 @@ class RegionGrowth {
         std::size_t faces = 250;
         int steps = 10;  ///< irregular nodes that are added one after the other
         int rings = 6;   ///< rings of quads that are added round the seed, if that fails
+        Trial::Demands demands = {};
     };
 
     explicit RegionGrowth(Trial& trial, PatchPlanner& planner) : trial_(trial), planner_(planner) {}
@@ -28,7 +29,7 @@ class RegionGrowth {
     void add_ring(Region& region);
     bool grow_to_next(Region& region, const Limits& limits);
     bool make_convex(Region& region, const Limits& limits);
-    bool try_patch(Region& region);
+    bool try_patch(Region& region, const Trial::Demands& demands);
     /// How many quads of the region belong at the outline's i-th node: 1 corner, 2 side, 3 and more: not convex.
     int wanted_inside(const Region& region, std::size_t i) const;
     void add_faces_at(HalfEdge h, Region& region);

@@ -17,13 +17,14 @@ constexpr int kMeanSweeps = 10;         ///< plain averaging of the new nodes, w
 constexpr int kSweeps = 3;              ///< guarded
 constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node's place is optimised
 constexpr double kBad = 0.25;           ///< scaled Jacobian
+constexpr double kUseless = 0.05;       ///< scaled Jacobian
+constexpr double kAnyAspect = 20.0;     ///< for the repair of what is useless
 constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
 constexpr double kMoreAspect = 1.5;     ///< for a repair
 constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
 constexpr double kMeanLoss = 0.03;      ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
 constexpr double kDistance = 5e-4;      ///< from the surface, over its diagonal, that passes in any case
 constexpr double kCountChange = 0.1;    ///< share of the quads that may come or go, so that sizes are kept
-constexpr double kAlwaysChange = 2.0;   ///< quads that may
 
 }  // namespace
 
@@ -85,7 +86,8 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
         (demands.improvement > 0.0 && after.worst < before.worst + demands.improvement)) {
         return false;
     }
-    // Where the worst was hardly usable, its repair is worth stretched quads.
+    // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
+    if (before.worst < kUseless && after.worst > before.worst + kUseless) return after.aspect <= std::max(before.aspect, kAnyAspect);
     if (before.worst < kBad && after.worst > before.worst + kRepaired) {
         return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     }
@@ -128,7 +130,7 @@ bool Trial::attempt(Region& region, const Replacement& replacement, const Demand
     if (!editor_.find_outline(region) || !editor_.is_possible(region, replacement)) return false;
     if (gain(region, replacement) < demands.gain) return false;
     const auto quads = static_cast<double>(region.faces.size());
-    if (std::abs(static_cast<double>(replacement.quads.size()) - quads) > kAlwaysChange + kCountChange * quads) return false;
+    if (std::abs(static_cast<double>(replacement.quads.size()) - quads) > demands.count_change + kCountChange * quads) return false;
     gather_neighbourhood(region, faces_);
     const Quality before = quality(faces_);
     const Replacement back = editor_.current(region);

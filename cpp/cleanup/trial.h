@@ -15,6 +15,7 @@ class Trial {
         int gain = 1;              ///< least fall of the irregularity
         double bound = 0.4;        ///< scaled Jacobian: the worst element may fall to it
         double improvement = 0.0;  ///< > 0: the worst element must get better by this
+        double count_change = 2.0;  ///< quads that may come or go in any case
     };
 
     Trial(SurfaceMesh& mesh, const ReferenceSurface& reference);

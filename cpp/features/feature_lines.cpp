@@ -19,8 +19,9 @@ constexpr double kCornerCosine = std::numbers::sqrt2 / 2.0;
 
 class FeatureFinder {
   public:
-    FeatureFinder(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options)
-        : mesh_(mesh), sources_(sources), options_(options), edges_(static_cast<std::size_t>(mesh.edge_slots())) {}
+    FeatureFinder(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options,
+                  std::span<const std::array<std::int32_t, 2>> ridges)
+        : mesh_(mesh), sources_(sources), options_(options), ridges_(ridges), edges_(static_cast<std::size_t>(mesh.edge_slots())) {}
 
     std::vector<FeatureLine> run() {
         reset();
@@ -36,6 +37,7 @@ class FeatureFinder {
     struct EdgeKind {
         bool constrained = false;
         bool boundary = false;
+        bool ridge = false;
         std::int32_t source = -1;
         bool operator==(const EdgeKind&) const = default;
     };
@@ -62,12 +64,17 @@ class FeatureFinder {
             const Edge e(i);
             if (mesh_.is_deleted(e)) continue;
             if (mesh_.is_boundary(e)) {
-                kind(e) = {true, true, -1};
+                kind(e) = {true, true, false, -1};
                 continue;
             }
             const auto& n = normals[static_cast<std::size_t>(mesh_.face(M::halfedge(e, 0)).index())];
             const auto& m = normals[static_cast<std::size_t>(mesh_.face(M::halfedge(e, 1)).index())];
             kind(e).constrained = n.dot(m) < flattest;
+        }
+        for (const auto& [a, b] : ridges_) {
+            EdgeKind& k = kind(mesh_.find_halfedge(Vertex(a), Vertex(b)));
+            k.ridge = !k.constrained;
+            k.constrained = true;
         }
         for (const auto& [a, b] : options_.feature_edges) kind(mesh_.find_halfedge(Vertex(a), Vertex(b))).constrained = true;
         for (std::size_t s = 0; s < sources_.size(); ++s) {
@@ -75,6 +82,7 @@ class FeatureFinder {
             for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
                 EdgeKind& k = kind(mesh_.find_halfedge(Vertex(nodes[i]), Vertex(nodes[i + 1])));
                 k.constrained = true;
+                k.ridge = false;
                 k.source = static_cast<std::int32_t>(s);
             }
         }
@@ -169,21 +177,23 @@ class FeatureFinder {
         }
         const EdgeKind k = kind(mesh_.find_halfedge(nodes[0], nodes[1]));
         const bool closed = nodes.front() == nodes.back();
-        lines_.push_back({std::move(nodes), closed, k.source >= 0, k.boundary, k.source});
+        lines_.push_back({std::move(nodes), closed, k.source >= 0, k.ridge, k.boundary, k.source});
     }
 
     SurfaceMesh& mesh_;
     std::span<const Source> sources_;
     const Options& options_;
+    std::span<const std::array<std::int32_t, 2>> ridges_;
     std::vector<EdgeKind> edges_;
     std::vector<FeatureLine> lines_;
 };
 
 }  // namespace
 
-std::vector<FeatureLine> find_features(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options) {
+std::vector<FeatureLine> find_features(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options,
+                                       std::span<const std::array<std::int32_t, 2>> ridges) {
     check_feature_edges(mesh, options.feature_edges);
-    return FeatureFinder(mesh, sources, options).run();
+    return FeatureFinder(mesh, sources, options, ridges).run();
 }
 
 }  // namespace anisoquad

@@ -2,154 +2,214 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include "mesh/euler_operators.h"
+#include "prepare/assess.h"
+#include "prepare/line_nodes.h"
 #include "prepare/remesh.h"
 #include "prepare/size_field.h"
+#include "prepare/size_range.h"
 
 namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-using Eigen::Vector3d;
-constexpr double kPoorTriangle = 0.2;   // area over that of the equilateral triangle of the same edges: about 1:9
-constexpr double kPoorShare = 0.02;     // of a patch's triangles from which it is remeshed
-constexpr double kLong = 4.0 / 3.0;
-constexpr int kIterations = 8;
 
-double shape(const SurfaceMesh& mesh, Face f) {
-    const HalfEdge h = mesh.halfedge(f);
-    const Point& a = mesh.position(mesh.from(h));
-    const Point& b = mesh.position(mesh.to(h));
-    const Point& c = mesh.position(mesh.to(mesh.next(h)));
-    const double edges = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-    return 3.4641016151377544 * (b - a).cross(c - a).norm() / edges;
-}
+constexpr int kSweeps = 12;
+constexpr int kLeastSweeps = 4;
+constexpr double kAtRest = 0.01;      ///< of the triangles that change in a sweep: below it, it is the last one
+constexpr double kLineSagitta = 5e-5;  ///< of line edges off the input's line, over the model's diagonal
+constexpr double kRidgeSagitta = 2e-4;  ///< of the edges of ridges
+constexpr double kSagitta = 4e-4;      ///< of edges off the surface, over the model's diagonal
+constexpr double kSagittaAsked = 0.1;  ///< the same over the wanted size, where one is asked for
+constexpr double kUncovered = 1.25;    ///< bound for the surface's points off the triangles, over that of the triangles off the surface
+constexpr double kAlongSource = 2.0;    ///< wanted length of merged edges over the largest size
+constexpr double kMostRefinement = 8.0;  ///< of the edges along a source
+constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wanted spread the remeshing to the patch behind them
+
+bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
 
 class Prepare {
   public:
-    Prepare(SurfaceMesh& mesh, const SizeField& field, const ReferenceSurface& reference, std::vector<Source>& sources, Context& context)
-        : mesh_(mesh), field_(field), reference_(reference), sources_(sources), context_(context) {}
+    Prepare(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources, const Options& options, Context& context)
+        : mesh_(mesh), input_(input), sources_(sources), options_(options), context_(context) {}
 
     PrepareResult run() {
         result_.triangles_before = result_.triangles_after = mesh_.face_count();
-        if (!choose_patches()) return result_;
-        field_.assign(mesh_);
-        while (split_lines()) field_.assign(mesh_);
-        follow_sources();
-        for (int i = 0; i < kIterations; ++i) {
-            context_.report(static_cast<double>(i) / kIterations);
-            field_.assign(mesh_);
+        choose_patches();
+        if (std::find(chosen_.begin(), chosen_.end(), 1) == chosen_.end()) return result_;
+        SizeField field = make_field();
+        coverage_.emplace(mesh_, range_.smallest, kUncovered * sagitta_);
+        chains_ = line_nodes(mesh_, input_.lines, input_.reference_lines);
+        spread(field);
+        result_.patches = static_cast<std::int32_t>(std::count(chosen_.begin(), chosen_.end(), 1));
+        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+            context_.report(static_cast<double>(sweep) / kSweeps);
+            // Lines first, as often as they still double: the triangles beside them follow.
+            for (int i = 0; i < kSweeps; ++i) {
+                field.assign(mesh_, hint_, kept_edges());
+                if (redistribute_lines() == 0 || sweep > 0) break;
+            }
             std::vector<char> zone = zone_of_patches();
-            const RemeshResult r = remesh_triangles(mesh_, zone, reference_, 1);
-            if (i > 2 && 50 * (r.splits + r.collapses) < mesh_.face_count()) break;
+            const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_});
+            if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
         }
+        follow_sources();
         result_.triangles_after = mesh_.face_count();
         return result_;
     }
 
   private:
-    bool choose_patches() {
-        std::vector<std::int32_t> all;
-        std::vector<std::int32_t> poor;
-        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
-            const auto patch = static_cast<std::size_t>(mesh_.info(Face(i)).patch);
-            if (patch >= all.size()) all.resize(patch + 1, 0);
-            if (patch >= poor.size()) poor.resize(patch + 1, 0);
-            ++all[patch];
-            poor[patch] += shape(mesh_, Face(i)) < kPoorTriangle;
+    void choose_patches() {
+        chosen_ = patches_to_remesh(mesh_, options_);
+        const std::vector<PatchAssessment> patches = assess_patches(mesh_);
+        for (std::size_t p = 0; p < patches.size(); ++p) {
+            if (!chosen_[p]) continue;
+            result_.poor += patches[p].is_poor;
+            result_.graded += patches[p].is_graded && !patches[p].is_poor;
+            result_.poor_triangles += patches[p].poor;
         }
-        chosen_.assign(all.size(), 0);
-        for (std::size_t p = 0; p < all.size(); ++p) {
-            if (poor[p] <= kPoorShare * all[p]) continue;
-            chosen_[p] = 1;
-            ++result_.patches;
-            result_.poor += poor[p];
+    }
+
+    SizeField make_field() {
+        const double diagonal = input_.reference.diagonal();
+        range_ = size_range(input_.points, input_.triangles, diagonal, input_.unit, options_);
+        SizeFieldOptions options;
+        options.largest = range_.largest;
+        options.smallest = range_.smallest;
+        for (const double size : options_.vertex_size) vertex_size_.push_back(size / input_.unit);
+        options.vertex_size = vertex_size_;
+        options.curvature_angle = options_.curvature_angle;
+        // A wanted size may cut more off the surface than one of our own choice.
+        sagitta_ = std::max(kSagitta * diagonal, is_asked(options_) ? kSagittaAsked * range_.largest : 0.0);
+        options.sagitta = sagitta_;
+        options.growth = options_.growth;
+        options.in_fold = input_.in_fold;
+        result_.size = range_.largest * input_.unit;
+        SizeField field(input_.points, input_.triangles, input_.reference, options);
+        refine_at_sources(field, range_.largest);
+        return field;
+    }
+
+    /// Rows are merged along their source: its edges must be short before, so that they are not too long afterwards.
+    void refine_at_sources(SizeField& field, double largest) const {
+        for (const Source& source : sources_) {
+            double anisotropy = 1.0;
+            for (const Pass& pass : source.passes) anisotropy *= pass.ratio;
+            const double size = largest * std::min(1.0, kAlongSource / std::min(anisotropy, kMostRefinement * kAlongSource));
+            for (const std::int32_t v : source.vertices) {
+                for (const HalfEdge h : mesh_.outgoing(Vertex(v))) {
+                    if (!mesh_.is_boundary(h)) field.limit(mesh_.face(h).index(), size);
+                }
+            }
         }
-        return result_.patches > 0;
     }
 
     bool is_chosen(HalfEdge h) const {
         return !mesh_.is_boundary(h) && chosen_[static_cast<std::size_t>(mesh_.info(mesh_.face(h)).patch)] != 0;
     }
+    bool is_settled(HalfEdge h) const { return !mesh_.is_boundary(h) && !is_chosen(h); }
 
-    bool split_lines() {
-        bool any = false;
-        const std::int32_t last = mesh_.edge_slots();
-        for (std::int32_t i = 0; i < last; ++i) {
+    /// Per edge: 1 for edges of lines that a patch shares which is not remeshed.
+    std::vector<char> kept_edges() const {
+        std::vector<char> kept(static_cast<std::size_t>(mesh_.edge_slots()), 0);
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
             const Edge e(i);
-            if (mesh_.is_deleted(e) || mesh_.info(e).line < 0) continue;
-            const HalfEdge h = M::halfedge(e);
-            if (!is_chosen(h) && !is_chosen(M::twin(h))) continue;
-            const double wanted = 0.5 * (mesh_.info(mesh_.from(h)).size + mesh_.info(mesh_.to(h)).size);
-            if (mesh_.length(e) <= kLong * wanted) continue;
-            split_edge(mesh_, e, 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h))));
-            any = true;
+            if (mesh_.is_deleted(e)) continue;
+            kept[static_cast<std::size_t>(i)] = is_settled(M::halfedge(e, 0)) || is_settled(M::halfedge(e, 1));
         }
-        return any;
+        return kept;
     }
 
-    /// Walks along the split edges of each source, which are straight between two of its old vertices.
-    void follow_sources() {
-        for (Source& source : sources_) {
-            std::vector<std::int32_t> nodes{source.vertices.front()};
-            for (std::size_t i = 1; i < source.vertices.size(); ++i) {
-                const Vertex goal(source.vertices[i]);
-                Vertex at(nodes.back());
-                while (at != goal) {
-                    const Vector3d way = (mesh_.position(goal) - mesh_.position(at)).normalized();
-                    Vertex best;
-                    double straightest = 0.5;
-                    for (const HalfEdge h : mesh_.outgoing(at)) {
-                        if (!mesh_.info(M::edge(h)).source) continue;
-                        const double along = (mesh_.position(mesh_.to(h)) - mesh_.position(at)).normalized().dot(way);
-                        if (along <= straightest) continue;
-                        straightest = along;
-                        best = mesh_.to(h);
-                    }
-                    if (!best.is_valid()) return;
-                    at = best;
-                    nodes.push_back(at.index());
-                }
+    /// Patches with long edges beside a patch that wants far shorter ones are remeshed too.
+    void spread(const SizeField& field) {
+        for (bool again = true; again;) {
+            again = false;
+            // Every patch decides freely here, so that its lines show what they would like to be.
+            field.assign(mesh_, hint_, {});
+            for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+                const Edge e(i);
+                if (mesh_.is_deleted(e) || mesh_.is_boundary(e) || mesh_.info(e).line < 0) continue;
+                const HalfEdge h = M::halfedge(e);
+                const HalfEdge settled = is_chosen(h) ? M::twin(h) : h;
+                if (is_chosen(settled) || !is_chosen(M::twin(settled))) continue;
+                const double wanted = 0.5 * (mesh_.info(mesh_.from(h)).size + mesh_.info(mesh_.to(h)).size);
+                if (mesh_.length(e) < kStepAtLine * wanted) continue;
+                chosen_[static_cast<std::size_t>(mesh_.info(mesh_.face(settled)).patch)] = 1;
+                again = true;
             }
-            source.vertices = std::move(nodes);
         }
     }
 
+    std::int32_t redistribute_lines() {
+        std::int32_t changes = 0;
+        for (LineNodes& chain : chains_) {
+            bool free = true;
+            for (std::size_t i = 0; i + 1 < chain.nodes.size() && free; ++i) {
+                const HalfEdge h = mesh_.find_halfedge(chain.nodes[i], chain.nodes[i + 1]);
+                free = !is_settled(h) && !is_settled(M::twin(h));
+            }
+            if (!free) continue;
+            const double diagonal = input_.reference.diagonal();
+            const double deviation = input_.lines[static_cast<std::size_t>(chain.line)].is_ridge ? kRidgeSagitta : kLineSagitta;
+            changes += redistribute_line_nodes(mesh_, chain, input_.reference_lines, input_.reference,
+                                               {deviation * diagonal, sagitta_, &*coverage_});
+        }
+        return changes;
+    }
+
+    /// Nodes of the chosen patches, and of the lines round them.
     std::vector<char> zone_of_patches() const {
         std::vector<char> zone(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
-        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
-            const Vertex v(i);
-            if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || mesh_.info(v).kind != NodeKind::interior) continue;
-            zone[static_cast<std::size_t>(i)] = is_chosen(mesh_.halfedge(v));
-        }
-        // Nodes on lines: their edges into a chosen patch may be split, those into another patch end in no zone node there.
-        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
-            const Vertex v(i);
-            if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || mesh_.info(v).kind == NodeKind::interior) continue;
-            bool all = true;
-            for (const HalfEdge h : mesh_.outgoing(v)) all = all && (mesh_.is_boundary(h) || is_chosen(h));
-            zone[static_cast<std::size_t>(i)] = all;
+        for (std::int32_t i = 0; i < mesh_.halfedge_slots(); ++i) {
+            const HalfEdge h(i);
+            if (!mesh_.is_deleted(h) && is_chosen(h)) zone[static_cast<std::size_t>(mesh_.from(h).index())] = 1;
         }
         return zone;
     }
 
+    void follow_sources() {
+        for (std::size_t s = 0; s < sources_.size(); ++s) {
+            std::vector<std::int32_t> nodes;
+            for (const LineNodes& chain : chains_) {
+                if (input_.lines[static_cast<std::size_t>(chain.line)].source != static_cast<std::int32_t>(s)) continue;
+                for (const Vertex v : chain.nodes) {
+                    if (nodes.empty() || nodes.back() != v.index()) nodes.push_back(v.index());
+                }
+            }
+            sources_[s].vertices = std::move(nodes);
+        }
+    }
+
     SurfaceMesh& mesh_;
-    const SizeField& field_;
-    const ReferenceSurface& reference_;
+    const PrepareInput& input_;
     std::vector<Source>& sources_;
+    const Options& options_;
     Context& context_;
     PrepareResult result_;
     std::vector<char> chosen_;
+    SizeRange range_;
+    double sagitta_ = 0.0;
+    std::optional<Coverage> coverage_;
+    std::vector<LineNodes> chains_;
+    std::vector<std::int32_t> hint_;
+    std::vector<double> vertex_size_;
 };
 
 }  // namespace
 
-PrepareResult prepare_triangles(SurfaceMesh& mesh, std::span<const Point> points,
-                                std::span<const std::array<std::int32_t, 3>> triangles, const ReferenceSurface& reference,
-                                std::vector<Source>& sources, Context& context) {
-    const SizeField field(points, triangles, reference, {});
-    return Prepare(mesh, field, reference, sources, context).run();
+std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options) {
+    std::vector<char> chosen;
+    for (const PatchAssessment& patch : assess_patches(mesh)) {
+        chosen.push_back(is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded)) ? 1 : 0);
+    }
+    return chosen;
+}
+
+PrepareResult prepare_triangles(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources, const Options& options,
+                                Context& context) {
+    return Prepare(mesh, input, sources, options, context).run();
 }
 
 }  // namespace anisoquad

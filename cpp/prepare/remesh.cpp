@@ -2,9 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mesh/euler_operators.h"
+#include "mesh/flip_check.h"
+#include "prepare/collapse_check.h"
 #include "smoothing/laplacian.h"
 #include "smoothing/move_node.h"
 
@@ -14,22 +17,23 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-// Edge of the equilateral triangles whose pairs are as large as squares of the wanted size.
-constexpr double kTriangleEdge = 1.0745699;
-constexpr double kLong = 4.0 / 3.0;
-constexpr double kShort = 4.0 / 5.0;
-constexpr double kLeastTriangle = 0.1;  // scaled area of a triangle after a collapse
+constexpr double kLong = 1.45;
+constexpr double kLeastFold = 0.8;  // cosine between the triangles of a swapped edge, see flip_keeps_surface()
+constexpr double kShort = 0.85;
+
+bool is_in(std::span<const char> patches, std::int32_t patch) { return patches.empty() || patches[static_cast<std::size_t>(patch)] != 0; }
 
 class Remesh {
   public:
-    Remesh(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference) : mesh_(mesh), zone_(zone), reference_(reference) {}
+    Remesh(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference, const RemeshOptions& options)
+        : mesh_(mesh), zone_(zone), reference_(reference), options_(options), deviation_(options.deviation * reference.diagonal()) {}
 
-    RemeshResult run(int iterations) {
-        for (int i = 0; i < iterations; ++i) {
+    RemeshResult run() {
+        for (int i = 0; i < options_.sweeps; ++i) {
             const RemeshResult before = result_;
             collapse_short();
             split_long();
-            result_.flips += swap_towards_delaunay(mesh_, zone_);
+            result_.flips += swap_towards_delaunay(mesh_, zone_, reference_, options_);
             relax();
             if (result_.splits == before.splits && result_.collapses == before.collapses && i > 0) break;
         }
@@ -49,6 +53,7 @@ class Remesh {
         if (mesh_.is_deleted(e) || mesh_.is_constrained(e)) return false;
         const HalfEdge h = M::halfedge(e);
         if (!in_zone(mesh_.from(h)) && !in_zone(mesh_.to(h))) return false;
+        if (!is_in(options_.patches, mesh_.info(mesh_.face(h)).patch)) return false;
         return mesh_.is_triangle(mesh_.face(h)) && mesh_.is_triangle(mesh_.face(M::twin(h)));
     }
 
@@ -77,24 +82,7 @@ class Remesh {
     }
 
     bool try_collapse(HalfEdge h) {
-        const Vertex gone = mesh_.from(h);
-        const Vertex kept = mesh_.to(h);
-        if (!is_free(gone) || !is_collapse_ok(mesh_, h)) return false;
-        const Vector3d normal = node_normal(mesh_, gone);
-        for (const HalfEdge out : mesh_.outgoing(gone)) {
-            const Vertex p = mesh_.to(out);
-            const Vertex q = mesh_.to(mesh_.next(out));
-            if (p != kept) {
-                const double size = kTriangleEdge * 0.5 * (mesh_.info(p).size + mesh_.info(kept).size);
-                if ((at(p) - at(kept)).norm() > kLong * size * 1.2) return false;
-            }
-            if (p == kept || q == kept) continue;
-            const Vector3d area = (at(p) - at(kept)).cross(at(q) - at(kept));
-            const double edges = (at(p) - at(kept)).squaredNorm() + (at(q) - at(kept)).squaredNorm() + (at(p) - at(q)).squaredNorm();
-            if (area.dot(normal) < kLeastTriangle * edges * 0.2886751) return false;
-        }
-        collapse(mesh_, h);
-        return true;
+        return is_free(mesh_.from(h)) && anisoquad::try_collapse(mesh_, h, reference_, deviation_, options_.coverage);
     }
 
     void split_long() {
@@ -109,7 +97,7 @@ class Remesh {
         for (const auto& [ratio, e] : edges) {
             if (!is_candidate(e) || mesh_.length(e) <= kLong * wanted(e)) continue;
             const HalfEdge h = M::halfedge(e);
-            const Vertex v = split_edge(mesh_, e, 0.5 * (at(mesh_.from(h)) + at(mesh_.to(h))));
+            const Vertex v = split_covered_edge(mesh_, e, 0.5 * (at(mesh_.from(h)) + at(mesh_.to(h))), options_.coverage);
             if (static_cast<std::size_t>(mesh_.vertex_slots()) > zone_.size()) zone_.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
             zone_[static_cast<std::size_t>(v.index())] = 1;
             std::int32_t hint = -1;
@@ -126,13 +114,34 @@ class Remesh {
             const Vertex v(i);
             if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || !is_free(v)) continue;
             Point target;
-            if (laplacian_target(mesh_, v, target) && move_node(mesh_, v, target, &reference_, &hint)) ++result_.moves;
+            if (!laplacian_target(mesh_, v, target)) continue;
+            const Point kept = at(v);
+            const std::int32_t input = mesh_.info(v).input;
+            if (options_.coverage) options_.coverage->lift(mesh_, v);
+            const bool moved = move_node(mesh_, v, target, &reference_, &hint);
+            if (moved && !is_covered(v)) {
+                mesh_.position(v) = kept;
+                mesh_.info(v).input = input;
+            } else {
+                result_.moves += moved;
+            }
+            if (options_.coverage) options_.coverage->drop(mesh_, v);
         }
+    }
+
+    bool is_covered(Vertex v) {
+        if (!options_.coverage) return true;
+        triangles_.clear();
+        for (const HalfEdge h : mesh_.outgoing(v)) triangles_.push_back({at(v), at(mesh_.to(h)), at(mesh_.to(mesh_.next(h)))});
+        return options_.coverage->is_covered_by(triangles_);
     }
 
     SurfaceMesh& mesh_;
     std::vector<char>& zone_;
     const ReferenceSurface& reference_;
+    const RemeshOptions& options_;
+    double deviation_;
+    std::vector<Coverage::Triangle> triangles_;
     RemeshResult result_;
 };
 
@@ -146,7 +155,10 @@ void opposite_angle(const Point& p, const Point& q, const Point& r, double& cosi
 
 }  // namespace
 
-std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& zone) {
+std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& zone, const ReferenceSurface& reference,
+                                   const RemeshOptions& options) {
+    const double deviation = options.deviation * reference.diagonal();
+    std::int32_t hint = -1;
     std::int32_t flips = 0;
     const auto inside = [&](Vertex v) { return v.index() < static_cast<std::int32_t>(zone.size()) && zone[static_cast<std::size_t>(v.index())]; };
     for (int sweep = 0; sweep < 4; ++sweep) {
@@ -156,7 +168,7 @@ std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& z
             if (mesh.is_deleted(e) || mesh.is_constrained(e)) continue;
             const HalfEdge h = M::halfedge(e);
             if (!inside(mesh.from(h)) && !inside(mesh.to(h))) continue;
-            if (!is_flip_ok(mesh, e)) continue;
+            if (!is_flip_ok(mesh, e) || !is_in(options.patches, mesh.info(mesh.face(h)).patch)) continue;
             const Point& p = mesh.position(mesh.from(h));
             const Point& q = mesh.position(mesh.to(h));
             const Point& l = mesh.position(mesh.to(mesh.next(h)));
@@ -167,15 +179,20 @@ std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& z
             // sin(angle sum) < 0: the sum is above π.
             const double scale = std::sqrt((cl * cl + sl * sl) * (cr * cr + sr * sr));
             if (sl * cr + cl * sr > -1e-6 * scale) continue;
-            // The new triangles must face the same way as the old ones.
-            const Vector3d n = (q - p).cross(l - p) + (r - p).cross(q - p);
-            if ((r - p).cross(l - p).dot(n) <= 0.0 || (l - q).cross(r - q).dot(n) <= 0.0) continue;
-            // Not over a crease that the triangles resolve: the swap may turn the surface a little only.
-            const Vector3d a = (r - p).cross(l - p).normalized();
-            const Vector3d b = (l - q).cross(r - q).normalized();
-            const Vector3d c = (q - p).cross(l - p).normalized();
-            const Vector3d d = (r - p).cross(q - p).normalized();
-            if (a.dot(b) < std::min(0.8, c.dot(d) - 0.02)) continue;
+            if (!flip_keeps_surface(mesh, e, kLeastFold)) continue;
+            const std::int32_t patch = mesh.info(mesh.face(h)).patch;
+            const SurfacePoint now = reference.closest(0.5 * (p + q), patch, hint);
+            hint = now.facet;
+            if (reference.closest(0.5 * (l + r), patch, hint).distance > std::max(deviation, now.distance)) continue;
+            if (options.coverage) {
+                options.coverage->lift(mesh, e);
+                const std::array<Coverage::Triangle, 2> after{{{p, r, l}, {q, l, r}}};
+                const bool covered = options.coverage->is_covered_by(after);
+                if (covered) flip(mesh, e);
+                options.coverage->drop(mesh, e);
+                flips += covered;
+                continue;
+            }
             flip(mesh, e);
             ++flips;
         }
@@ -184,8 +201,8 @@ std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& z
     return flips;
 }
 
-RemeshResult remesh_triangles(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference, int iterations) {
-    return Remesh(mesh, zone, reference).run(iterations);
+RemeshResult remesh_triangles(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference, const RemeshOptions& options) {
+    return Remesh(mesh, zone, reference, options).run();
 }
 
 }  // namespace anisoquad

@@ -9,75 +9,130 @@
 #include "mesh/arrays.h"
 
 namespace anisoquad {
+namespace {
 
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
+constexpr double kLeastTurn = 1e-4;     ///< radians; less is rounding
+constexpr double kSizeAtRidge = 0.6;    ///< least size at a ridge over the largest
+constexpr double kLengthOfWidth = 3.0;  ///< longest edges along a narrow place over its width
+
+/// Height of the triangle of h over h.
+double height(const SurfaceMesh& mesh, HalfEdge h) {
+    const Vector3d along = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).normalized();
+    const Vector3d offset = mesh.position(mesh.to(mesh.next(h))) - mesh.position(mesh.from(h));
+    return (offset - offset.dot(along) * along).norm();
+}
+
+}  // namespace
+
 SizeField::SizeField(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
                      const ReferenceSurface& reference, const SizeFieldOptions& options)
     : reference_(reference), options_(options), facet_size_(triangles.size(), options.largest) {
-    const SurfaceMesh mesh = from_arrays(points, triangles);
-    const double angle = options.curvature_angle * std::numbers::pi / 180.0;
-    for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {
-        const HalfEdge h = M::halfedge(Edge(e));
-        const HalfEdge g = M::twin(h);
-        if (mesh.is_boundary(Edge(e))) continue;
-        const std::int32_t f = mesh.face(h).index();
-        const std::int32_t k = mesh.face(g).index();
-        // Across lines between patches the surface is not smooth: they turn by what they turn.
-        if (reference.facet_patch(f) != reference.facet_patch(k)) continue;
-        const Vector3d& a = reference.facet_normal(f);
-        const Vector3d& b = reference.facet_normal(k);
-        const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
-        if (turn < 1e-4) continue;
-        const Vector3d along = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).normalized();
-        const auto height = [&](HalfEdge side) {
-            const Vector3d offset = mesh.position(mesh.to(mesh.next(side))) - mesh.position(mesh.from(side));
-            return (offset - offset.dot(along) * along).norm();
-        };
-        // The turn happens over half of either facet's height.
-        const double allowed = std::clamp(0.5 * (height(h) + height(g)) * angle / turn, options.smallest, options.largest);
-        for (const std::int32_t facet : {f, k}) {
-            double& size = facet_size_[static_cast<std::size_t>(facet)];
-            size = std::min(size, allowed);
+    if (!options.vertex_size.empty()) {
+        for (std::size_t f = 0; f < triangles.size(); ++f) {
+            double sum = 0.0;
+            for (const std::int32_t v : triangles[f]) sum += options.vertex_size[static_cast<std::size_t>(v)];
+            facet_size_[f] = sum / 3.0;
         }
+    }
+    const SurfaceMesh mesh = from_arrays(points, triangles);
+    if (options.curvature_angle > 0.0) limit_by_curvature(mesh);
+    limit_by_width(mesh);
+}
+
+void SizeField::limit(std::int32_t facet, double size) {
+    double& kept = facet_size_[static_cast<std::size_t>(facet)];
+    kept = std::min(kept, std::max(size, options_.smallest));
+}
+
+void SizeField::limit_by_curvature(const SurfaceMesh& mesh) {
+    const double angle = options_.curvature_angle * std::numbers::pi / 180.0;
+    for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {
+        if (mesh.is_boundary(Edge(e))) continue;
+        const HalfEdge h = M::halfedge(Edge(e));
+        const std::int32_t f = mesh.face(h).index();
+        const std::int32_t g = mesh.face(M::twin(h)).index();
+        // Across lines between patches the surface is not smooth: they turn by what they turn.
+        if (reference_.facet_patch(f) != reference_.facet_patch(g)) continue;
+        const Vector3d& a = reference_.facet_normal(f);
+        const Vector3d& b = reference_.facet_normal(g);
+        const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
+        if (turn < kLeastTurn) continue;
+        // The turn happens over half of either facet's height.
+        const double radius = 0.5 * (height(mesh, h) + height(mesh, M::twin(h))) / turn;
+        double size = std::min(angle * radius, std::sqrt(8.0 * radius * options_.sagitta));
+        // A ridge line takes most of a fold's turn: the elements beside it are only a little smaller.
+        const auto slot = static_cast<std::size_t>(e);
+        if (slot < options_.in_fold.size() && options_.in_fold[slot]) size = std::max(size, kSizeAtRidge * options_.largest);
+        limit(f, size);
+        limit(g, size);
     }
 }
 
-void SizeField::assign(SurfaceMesh& mesh) const {
+/// A facet with one edge on a line and the opposite corner on another one spans the way between them.
+void SizeField::limit_by_width(const SurfaceMesh& mesh) {
+    std::vector<char> on_line(static_cast<std::size_t>(mesh.vertex_slots()), 0);
+    const auto is_line = [&](HalfEdge h) {
+        if (mesh.is_boundary(M::edge(h))) return true;
+        return reference_.facet_patch(mesh.face(h).index()) != reference_.facet_patch(mesh.face(M::twin(h)).index());
+    };
+    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+        if (is_line(HalfEdge(i))) on_line[static_cast<std::size_t>(mesh.from(HalfEdge(i)).index())] = 1;
+    }
+    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+        const HalfEdge h(i);
+        if (mesh.is_boundary(h) || !is_line(h)) continue;
+        const HalfEdge after = mesh.next(h);
+        // At a corner between two lines the width means nothing.
+        if (is_line(after) || is_line(mesh.next(after)) || !on_line[static_cast<std::size_t>(mesh.to(after).index())]) continue;
+        limit(mesh.face(h).index(), kLengthOfWidth * height(mesh, h));
+    }
+}
+
+double SizeField::size_at(const SurfaceMesh& mesh, Vertex v, std::int32_t& hint) const {
+    // A node on a line touches several patches: the smallest size of them counts.
+    double size = options_.vertex_size.empty() ? options_.largest : 1e300;
+    for (const HalfEdge h : mesh.outgoing(v)) {
+        if (mesh.is_boundary(h)) continue;
+        const SurfacePoint closest = reference_.closest(mesh.position(v), mesh.info(mesh.face(h)).patch, hint);
+        if (closest.facet >= 0) {
+            hint = closest.facet;
+            size = std::min(size, facet_size_[static_cast<std::size_t>(hint)]);
+        }
+        if (mesh.info(v).kind == NodeKind::interior) break;
+    }
+    return size;
+}
+
+void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept) const {
     struct Bound {
         double size;
         Vertex v;
         bool operator<(const Bound& other) const { return size != other.size ? size > other.size : v > other.v; }
     };
     std::priority_queue<Bound> queue;
-    std::int32_t hint = -1;
+    hint.resize(static_cast<std::size_t>(mesh.vertex_slots()), -1);
     for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
         const Vertex v(i);
         if (mesh.is_deleted(v) || !mesh.halfedge(v).is_valid()) continue;
-        // A node on a line touches several patches: the smallest size of them counts.
-        double size = options_.largest;
+        double size = size_at(mesh, v, hint[static_cast<std::size_t>(i)]);
         for (const HalfEdge h : mesh.outgoing(v)) {
-            if (mesh.is_boundary(h)) continue;
-            const SurfacePoint closest = reference_.closest(mesh.position(v), mesh.info(mesh.face(h)).patch, hint);
-            hint = closest.facet;
-            if (hint >= 0) size = std::min(size, facet_size_[static_cast<std::size_t>(hint)]);
-            if (mesh.info(v).kind == NodeKind::interior) break;
-        }
-        // Short edges of lines are kept: what meets them has their size.
-        for (const HalfEdge h : mesh.outgoing(v)) {
-            if (mesh.info(M::edge(h)).line >= 0) size = std::min(size, std::max(mesh.length(h), options_.smallest));
+            const auto e = static_cast<std::size_t>(M::edge(h).index());
+            if (e < kept.size() && kept[e]) size = std::min(size, mesh.length(h));
         }
         mesh.info(v).size = size;
         queue.push({size, v});
     }
+    const double growth = options_.growth - 1.0;
     while (!queue.empty()) {
         const auto [size, v] = queue.top();
         queue.pop();
         if (size > mesh.info(v).size) continue;
         for (const HalfEdge h : mesh.outgoing(v)) {
             const Vertex w = mesh.to(h);
-            const double allowed = size + options_.growth * mesh.length(h);
+            const double allowed = size + growth * mesh.length(h);
             if (mesh.info(w).size <= allowed) continue;
             mesh.info(w).size = allowed;
             queue.push({allowed, w});

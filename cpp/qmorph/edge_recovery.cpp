@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/euler_operators.h"
+#include "mesh/flip_check.h"
 #include "qmorph/area_vector.h"
 #include "smoothing/move_node.h"
 
@@ -16,6 +17,7 @@ using Eigen::Vector3d;
 
 constexpr int kMostCrossed = 400;
 constexpr double kTouching = 0.15;      // distance of a node from the line, over the line's length
+constexpr double kLeastFold = 0.3;       // cosine between the triangles of a swapped edge
 constexpr double kLeastTriangle = 0.02;  // of a triangle round a node that is pushed
 
 class EdgeRecovery {
@@ -175,7 +177,7 @@ class EdgeRecovery {
         for (std::size_t i = 0; i < crossed_.size(); ++i) {
             if (++done > tries) break;
             const Edge e = crossed_[i];
-            if (!is_convex(e) || !is_flip_ok(mesh_, e)) {
+            if (!is_convex(e) || !is_flip_ok(mesh_, e) || !flip_keeps_surface(mesh_, e, kLeastFold)) {
                 crossed_.push_back(e);
                 continue;
             }

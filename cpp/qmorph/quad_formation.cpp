@@ -16,6 +16,8 @@ namespace anisoquad {
 
 using M = SurfaceMesh;
 
+constexpr double kFlat = 0.5;  // length of the triangles' common area vector over their area: below it no quad can stand for them
+
 Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) {
     const Vertex a = mesh.from(h);
     const Vertex b = mesh.to(h);
@@ -26,6 +28,9 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
     static thread_local std::vector<Face> faces;
     if (!collect_region(mesh, loop, faces)) return {};
     const Eigen::Vector3d normal = doubled_area_vector(mesh, faces);
+    double area = 0.0;
+    for (const Face f : faces) area += doubled_area_vector(mesh, f).norm();
+    if (normal.norm() < kFlat * area) return {};
     if (scaled_jacobian(mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(d), normal) < least) return {};
     return replace_region(mesh, loop, faces);
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesh/euler_operators.h"
+#include "mesh/flip_check.h"
 #include "qmorph/front.h"
 
 namespace anisoquad {
@@ -16,6 +17,7 @@ using Eigen::Vector3d;
 constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = kPi / 6;     // Owen: an edge this close to the wanted direction is taken as it is
 constexpr double kLongest = 0.8660254038;  // Owen: √3/2 of the mean front edge bounds a swapped edge… times two
+constexpr double kLeastFold = 0.3;         // cosine between the triangles of a swapped edge
 constexpr int kLoopLimit = 1 << 20;
 
 double corner(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
@@ -134,6 +136,7 @@ class SideEdge {
         const HalfEdge opposite = crossed_edge(fraction);
         const Edge e = M::edge(opposite);
         if (is_front(mesh_, M::twin(opposite)) || is_front(mesh_, opposite) || !is_flip_ok(mesh_, e)) return {};
+        if (!flip_keeps_surface(mesh_, e, kLeastFold)) return {};
         const Vertex apex = mesh_.to(mesh_.next(M::twin(opposite)));
         const Vertex left = mesh_.from(opposite);
         const Vertex right = mesh_.to(opposite);

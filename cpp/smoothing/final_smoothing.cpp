@@ -76,6 +76,7 @@ class FinalSmoother {
         if (mesh_.info(v).kind != NodeKind::interior) return slide_on_line(mesh_, v) || (!lines_.empty() && slide_on_curve(mesh_, v, lines_));
         Star star;
         if (!star.gather(mesh_, v)) return false;
+        star.see_along_surface(reference_);
         const double worst = star.quality(star.centre()).worst;
         if (mesh_.info(v).in_row) return worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
         if (!is_movable(mesh_, v)) return false;

@@ -44,6 +44,7 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
                double good_enough) {
     Star star;
     if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
+    if (reference) star.see_along_surface(*reference);
     const Star::Quality before = star.quality(star.centre());
     // The exponential map of a folded ring is no map of the surface.
     SurfaceFit fit;

@@ -12,6 +12,10 @@ using Eigen::Vector3d;
 
 /// Corner areas below this, over the squared mean edge length, count as (almost) inverted when a star is untangled.
 constexpr double kLeastCornerArea = 0.1;
+/// Cosine between a face and the normal of its star below which the star counts as curved.
+constexpr double kFlat = 0.7;
+/// Least cosine between a face of a curved star and the surface's normal.
+constexpr double kUpright = 0.25;
 
 }  // namespace
 
@@ -44,7 +48,26 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     if (!(length > 0.0)) return false;
     normal_ /= length;
     see_along(normal_);
+    is_curved_ = false;
+    upright_ = 0.0;
+    for (int i = 0; i < size_; ++i) {
+        const Vector3d area = area_vector(wedges_[static_cast<std::size_t>(i)]);
+        is_curved_ = is_curved_ || area.dot(normal_) < kFlat * area.norm();
+    }
     return true;
+}
+
+void Star::see_along_surface(const ReferenceSurface& reference) {
+    if (!is_curved_) return;
+    upright_ = kUpright;
+    std::int32_t hint = -1;
+    for (int i = 0; i < size_; ++i) {
+        Wedge& w = wedges_[static_cast<std::size_t>(i)];
+        const Point middle = w.quad ? Point(0.25 * (centre_ + w.next + w.opposite + w.previous)) : Point((centre_ + w.next + w.previous) / 3.0);
+        const SurfacePoint closest = reference.closest(middle, patch_, hint);
+        hint = closest.facet;
+        if (hint >= 0) w.up = closest.normal;
+    }
 }
 
 void Star::see_along(const Vector3d& normal) {
@@ -71,7 +94,7 @@ double Star::quality(const Wedge& wedge, const Point& p, double& ratio) const {
         const Vector3d area = first.cross(wedge.previous - p);
         const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
         const double shape = 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum;
-        return area.dot(wedge.up) > 0.0 ? std::min(1.0, shape) : -std::min(1.0, shape);
+        return area.dot(wedge.up) > upright_ * area.norm() ? std::min(1.0, shape) : -std::min(1.0, shape);
     }
     const std::array<Vector3d, 4> edge{first, wedge.opposite - wedge.next, wedge.previous - wedge.opposite, last};
     std::array<double, 4> length;
@@ -81,7 +104,7 @@ double Star::quality(const Wedge& wedge, const Point& p, double& ratio) const {
     ratio = *longest / *shortest;
     const Vector3d axes = (wedge.opposite - p).cross(wedge.previous - wedge.next);
     // A quad that is turned over is good by its own normal; seen along the surface's it is not.
-    const bool upright = axes.dot(wedge.up) > 0.0;
+    const bool upright = axes.dot(wedge.up) > upright_ * axes.norm();
     const Vector3d up = upright ? Vector3d(axes.normalized()) : wedge.up;
     double worst = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < 4; ++k) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "mesh/surface_mesh.h"
+#include "surface/reference_surface.h"
 
 namespace anisoquad {
 
@@ -29,6 +30,9 @@ class Star {
 
     /// Side from which the faces are seen: normal() unless set.
     void see_along(const Eigen::Vector3d& normal);
+    /// Where the surface turns strongly round the node, one normal can't tell which faces are turned over: every face is then seen
+    /// along the reference surface's normal at its middle. Elsewhere nothing changes.
+    void see_along_surface(const ReferenceSurface& reference);
     /// Every face is seen from the side that it shows now (round a node on a sharp line).
     void use_face_normals();
 
@@ -68,6 +72,8 @@ class Star {
     Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
     double edge_length_ = 0.0;
     std::int32_t patch_ = -1;
+    double upright_ = 0.0;    ///< least cosine between a face and the side that it is seen from
+    bool is_curved_ = false;  ///< some face is turned far from the normal
 };
 
 }  // namespace anisoquad

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "surface/closest_on_triangle.h"
+
 namespace anisoquad {
 namespace {
 
@@ -23,41 +25,6 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double distance2_to_box(const Point& p, const Vector3d& low, const Vector3d& high) {
     return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-}
-
-/// Barycentric weights of the point of a triangle closest to p @cite ericson2004 (5.1.5).
-Vector3d closest_weights(const Point& p, const Point& a, const Point& b, const Point& c) {
-    const Vector3d ab = b - a;
-    const Vector3d ac = c - a;
-    const Vector3d ap = p - a;
-    const double d1 = ab.dot(ap);
-    const double d2 = ac.dot(ap);
-    if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
-    const Vector3d bp = p - b;
-    const double d3 = ab.dot(bp);
-    const double d4 = ac.dot(bp);
-    if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-        const double t = d1 / (d1 - d3);
-        return {1.0 - t, t, 0.0};
-    }
-    const Vector3d cp = p - c;
-    const double d5 = ab.dot(cp);
-    const double d6 = ac.dot(cp);
-    if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-        const double t = d2 / (d2 - d6);
-        return {1.0 - t, 0.0, t};
-    }
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-        const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0.0, 1.0 - t, t};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
 }
 
 }  // namespace

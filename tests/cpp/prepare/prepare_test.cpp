@@ -10,35 +10,12 @@
 #include "features/patches.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
+#include "prepare/remesh.h"
+#include "prepare/triangle_shape.h"
+#include "strip_cylinder.h"
 
 namespace anisoquad {
 namespace {
-
-struct Surface {
-    std::vector<Point> points;
-    std::vector<std::array<std::int32_t, 3>> triangles;
-};
-
-/// An open cylinder as a CAD kernel tessellates it: one strip of `sides` long facets of the given height.
-Surface strip_cylinder(int sides, int rings, double height) {
-    Surface s;
-    const double radius = 0.1;
-    for (int j = 0; j <= rings; ++j) {
-        for (int i = 0; i < sides; ++i) {
-            const double a = 2.0 * std::numbers::pi * i / sides;
-            s.points.emplace_back(radius * std::cos(a), radius * std::sin(a), height * j / rings);
-        }
-    }
-    for (int j = 0; j < rings; ++j) {
-        for (int i = 0; i < sides; ++i) {
-            const int a = j * sides + i;
-            const int b = j * sides + (i + 1) % sides;
-            s.triangles.push_back({a, b, b + sides});
-            s.triangles.push_back({a, b + sides, a + sides});
-        }
-    }
-    return s;
-}
 
 struct Prepared {
     SurfaceMesh mesh;
@@ -47,16 +24,17 @@ struct Prepared {
     std::vector<Source> sources;
 };
 
-Prepared prepare(const Surface& s, std::vector<Source> sources = {}) {
+Prepared prepare(const Surface& s, std::vector<Source> sources = {}, const Options& options = {}) {
     Prepared p;
     p.mesh = from_arrays(s.points, s.triangles);
     p.before = topology(p.mesh);
-    find_features(p.mesh, sources, {});
+    const std::vector<FeatureLine> lines = find_features(p.mesh, sources, {});
+    const ReferenceLines reference_lines(p.mesh, lines);
     find_patches(p.mesh);
     std::vector<std::int32_t> patch;
     for (std::int32_t f = 0; f < p.mesh.face_slots(); ++f) patch.push_back(p.mesh.info(Face(f)).patch);
     const ReferenceSurface reference(s.points, s.triangles, patch);
-    p.result = prepare_triangles(p.mesh, s.points, s.triangles, reference, sources);
+    p.result = prepare_triangles(p.mesh, {s.points, s.triangles, reference, lines, reference_lines}, sources, options);
     p.sources = std::move(sources);
     return p;
 }
@@ -66,13 +44,21 @@ double smallest_shape(const SurfaceMesh& mesh) {
     for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
         if (mesh.is_deleted(Face(i))) continue;
         const HalfEdge h = mesh.halfedge(Face(i));
-        const Point& a = mesh.position(mesh.from(h));
-        const Point& b = mesh.position(mesh.to(h));
-        const Point& c = mesh.position(mesh.to(mesh.next(h)));
-        const double edges = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-        smallest = std::min(smallest, 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / edges);
+        smallest = std::min(smallest, triangle_shape(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))));
     }
     return smallest;
+}
+
+/// Mean edge length between triangles, over that of the triangles that stand for squares of the size.
+double mean_edge_over(const SurfaceMesh& mesh, double size) {
+    double sum = 0.0;
+    int n = 0;
+    for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
+        if (mesh.is_deleted(Edge(i))) continue;
+        sum += mesh.length(Edge(i));
+        ++n;
+    }
+    return sum / n / (kTriangleEdge * size);
 }
 
 TEST(PrepareTriangles, LongThinFacetsBecomeTrianglesThatCanHoldQuads) {
@@ -99,6 +85,47 @@ TEST(PrepareTriangles, GoodTrianglesAreLeftUntouched) {
     for (std::int32_t i = 0; i < p.mesh.vertex_slots(); ++i) {
         EXPECT_EQ(p.mesh.position(Vertex(i)), s.points[static_cast<std::size_t>(i)]);
     }
+}
+
+TEST(PrepareTriangles, AnAskedSizeIsReachedFromFinerAndFromCoarserTriangles) {
+    const Surface s = strip_cylinder(24, 40, 1.0);
+    Options options;
+    options.curvature_angle = 0.0;
+    for (const double size : {0.012, 0.05}) {
+        options.size = size;
+        const Prepared p = prepare(s, {}, options);
+        EXPECT_EQ(p.result.patches, 1);
+        EXPECT_NEAR(mean_edge_over(p.mesh, size), 1.0, 0.15) << size;
+        EXPECT_GT(smallest_shape(p.mesh), 0.3) << size;
+        EXPECT_EQ(topology(p.mesh), p.before);
+    }
+}
+
+TEST(PrepareTriangles, SizesGivenPerVertexGradeTheTriangles) {
+    const Surface s = strip_cylinder(24, 40, 1.0);
+    Options options;
+    options.curvature_angle = 0.0;
+    for (const Point& p : s.points) options.vertex_size.push_back(p.z() < 0.5 ? 0.01 : 0.04);
+    const Prepared p = prepare(s, {}, options);
+    double low = 0.0, high = 0.0;
+    int lows = 0, highs = 0;
+    for (std::int32_t i = 0; i < p.mesh.edge_slots(); ++i) {
+        if (p.mesh.is_deleted(Edge(i))) continue;
+        const double z = p.mesh.position(p.mesh.from(SurfaceMesh::halfedge(Edge(i)))).z();
+        if (z < 0.4) low += p.mesh.length(Edge(i)), ++lows;
+        if (z > 0.9) high += p.mesh.length(Edge(i)), ++highs;
+    }
+    EXPECT_NEAR(low / lows, 0.01, 0.003);
+    EXPECT_NEAR(high / highs, 0.04, 0.01);
+}
+
+TEST(PrepareTriangles, NothingIsDoneWhereItIsSwitchedOff) {
+    const Surface s = strip_cylinder(24, 1, 1.0);
+    Options options;
+    options.prepare = false;
+    const Prepared p = prepare(s, {}, options);
+    EXPECT_EQ(p.result.patches, 0);
+    EXPECT_EQ(p.mesh.face_count(), static_cast<std::int32_t>(s.triangles.size()));
 }
 
 TEST(PrepareTriangles, SourcesGetTheNodesThatComeUpOnThem) {

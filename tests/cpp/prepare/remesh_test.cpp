@@ -57,7 +57,7 @@ TEST(Remesh, ApproachesTheWantedSize) {
         const int lines = constrained_edges(p.mesh);
         set_sizes(p.mesh, size);
         std::vector<char> zone = everywhere(p.mesh);
-        const RemeshResult result = remesh_triangles(p.mesh, zone, p.reference, 8);
+        const RemeshResult result = remesh_triangles(p.mesh, zone, p.reference, {.sweeps = 8});
         expect_sound(p);
         EXPECT_EQ(inverted_triangles(p), 0);
         EXPECT_NEAR(signed_area(p), 400.0, 1e-6);
@@ -73,7 +73,7 @@ TEST(Remesh, GradedSizesGiveGradedTriangles) {
     Prepared p(shapes::grid(24, 12));
     for (const Vertex v : vertices(p.mesh)) p.mesh.info(v).size = 0.6 + 0.06 * p.mesh.position(v).x();
     std::vector<char> zone = everywhere(p.mesh);
-    remesh_triangles(p.mesh, zone, p.reference, 8);
+    remesh_triangles(p.mesh, zone, p.reference, {.sweeps = 8});
     expect_sound(p);
     double left = 0.0;
     double right = 0.0;
@@ -96,7 +96,7 @@ TEST(Remesh, StaysOnCurvedSurfaces) {
         Prepared p(shapes::sphere(40, 26));
         set_sizes(p.mesh, size);
         std::vector<char> zone = everywhere(p.mesh);
-        remesh_triangles(p.mesh, zone, p.reference);
+        remesh_triangles(p.mesh, zone, p.reference, {.deviation = 0.01});
         expect_sound(p);
         EXPECT_EQ(inverted_triangles(p), 0);
         for (const Vertex v : vertices(p.mesh)) EXPECT_NEAR(p.mesh.position(v).norm(), 1.0, 4e-3);
@@ -171,7 +171,7 @@ TEST(SwapTowardsDelaunay, LeavesNoEdgeWhoseOppositeAnglesSumToMoreThanPi) {
     for (Point& q : shape.points)
         q += Point(0.55 * q.y() + 0.2 * std::sin(3.0 * q.x()), 0.2 * std::sin(5.0 * q.y() + q.x()), 0.0);
     Prepared p(shape, {source(path(5 * 13 + 2, 5 * 13 + 9, 1))});
-    EXPECT_GT(swap_towards_delaunay(p.mesh, everywhere(p.mesh)), 0);
+    EXPECT_GT(swap_towards_delaunay(p.mesh, everywhere(p.mesh), p.reference), 0);
     expect_sound(p);
     EXPECT_EQ(inverted_triangles(p), 0);
     expect_covered(p.mesh, path(5 * 13 + 2, 5 * 13 + 9, 1));
@@ -185,7 +185,7 @@ TEST(SwapTowardsDelaunay, LeavesNoEdgeWhoseOppositeAnglesSumToMoreThanPi) {
         if (p.mesh.is_constrained(e)) continue;
         EXPECT_LE(opposite(M::halfedge(e, 0)) + opposite(M::halfedge(e, 1)), std::numbers::pi + 1e-5);
     }
-    EXPECT_EQ(swap_towards_delaunay(p.mesh, everywhere(p.mesh)), 0);
+    EXPECT_EQ(swap_towards_delaunay(p.mesh, everywhere(p.mesh), p.reference), 0);
 }
 
 }  // namespace

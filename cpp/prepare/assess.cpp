@@ -1,0 +1,69 @@
+#include "prepare/assess.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "prepare/triangle_shape.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+
+constexpr double kPoorShape = 0.2;
+constexpr double kPoorShare = 0.02;      ///< of a patch's triangles
+constexpr double kSteep = 0.35;          ///< change of the triangles' size per unit of way
+constexpr double kSteepShare = 0.1;      ///< of a patch's edges
+constexpr std::int32_t kFewEdges = 100;  ///< fewer say nothing about a grading
+
+double doubled_area(const SurfaceMesh& mesh, HalfEdge h) {
+    const Point& a = mesh.position(mesh.from(h));
+    return (mesh.position(mesh.to(h)) - a).cross(mesh.position(mesh.to(mesh.next(h))) - a).norm();
+}
+
+double size_at(const SurfaceMesh& mesh, Vertex v) {
+    double area = 0.0;
+    int triangles = 0;
+    for (const HalfEdge h : mesh.outgoing(v)) {
+        if (mesh.is_boundary(h)) continue;
+        area += doubled_area(mesh, h);
+        ++triangles;
+    }
+    return triangles > 0 ? std::sqrt(area / triangles) : 0.0;
+}
+
+}  // namespace
+
+std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh) {
+    std::vector<PatchAssessment> patches;
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (mesh.is_deleted(Face(i))) continue;
+        const auto patch = static_cast<std::size_t>(mesh.info(Face(i)).patch);
+        if (patch >= patches.size()) patches.resize(patch + 1);
+        const HalfEdge h = mesh.halfedge(Face(i));
+        ++patches[patch].triangles;
+        patches[patch].poor += triangle_shape(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))) < kPoorShape;
+    }
+    std::vector<double> size(static_cast<std::size_t>(mesh.vertex_slots()), 0.0);
+    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        if (!mesh.is_deleted(Vertex(i))) size[static_cast<std::size_t>(i)] = size_at(mesh, Vertex(i));
+    }
+    std::vector<std::int32_t> edges(patches.size(), 0);
+    std::vector<std::int32_t> steep(patches.size(), 0);
+    for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
+        if (mesh.is_deleted(Edge(i)) || mesh.is_constrained(Edge(i))) continue;
+        const HalfEdge h = M::halfedge(Edge(i));
+        const auto patch = static_cast<std::size_t>(mesh.info(mesh.face(h)).patch);
+        const double step = size[static_cast<std::size_t>(mesh.from(h).index())] - size[static_cast<std::size_t>(mesh.to(h).index())];
+        ++edges[patch];
+        steep[patch] += std::abs(step) > kSteep * mesh.length(h);
+    }
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        patches[p].is_poor = patches[p].poor > kPoorShare * patches[p].triangles;
+        patches[p].is_graded = edges[p] >= kFewEdges && steep[p] > kSteepShare * edges[p];
+    }
+    return patches;
+}
+
+}  // namespace anisoquad

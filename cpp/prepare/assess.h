@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+
+namespace anisoquad {
+
+/// What is wrong with a patch's triangles as a base for quads.
+struct PatchAssessment {
+    std::int32_t triangles = 0;
+    std::int32_t poor = 0;   ///< long and thin ones
+    bool is_poor = false;    ///< too many of them are long and thin
+    bool is_graded = false;  ///< their size changes too fast from one to the next
+};
+
+/// Judges every patch's triangles: pairs of triangles longer than about 1:9 make no usable quad, and where neighbours' sizes change
+/// faster than quads can follow, most nodes become irregular (method 1b).
+/// @returns one entry per patch
+std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh);
+
+}  // namespace anisoquad

@@ -1,0 +1,85 @@
+#include "features/ridges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "features/feature_lines.h"
+#include "features/patches.h"
+#include "mesh/arrays.h"
+
+namespace anisoquad {
+namespace {
+
+/// A sheet that comes in along x at z = radius, turns round half a circle about the y axis and goes back at z = −radius.
+SurfaceMesh fold(double radius, int round, int length) {
+    std::vector<Point> profile;
+    for (int i = 0; i < 8; ++i) profile.emplace_back(1.0 - i / 8.0, 0.0, radius);
+    for (int i = 0; i <= round; ++i) {
+        const double a = std::numbers::pi * (0.5 + static_cast<double>(i) / round);
+        profile.emplace_back(radius * std::cos(a), 0.0, radius * std::sin(a));
+    }
+    for (int i = 1; i <= 8; ++i) profile.emplace_back(i / 8.0, 0.0, -radius);
+    const int n = static_cast<int>(profile.size());
+    std::vector<Point> points;
+    std::vector<std::array<std::int32_t, 3>> triangles;
+    for (int j = 0; j <= length; ++j) {
+        for (const Point& p : profile) points.emplace_back(p.x(), static_cast<double>(j) / length, p.z());
+    }
+    for (int j = 0; j < length; ++j) {
+        for (int i = 0; i + 1 < n; ++i) {
+            const int a = j * n + i;
+            triangles.push_back({a, a + 1, a + 1 + n});
+            triangles.push_back({a, a + 1 + n, a + n});
+        }
+    }
+    SurfaceMesh mesh = from_arrays(points, triangles);
+    find_features(mesh, {}, {});
+    find_patches(mesh);
+    return mesh;
+}
+
+TEST(FindRidges, ASharpFoldGetsOneLineAlongItsMiddle) {
+    const double radius = 0.01;
+    const SurfaceMesh mesh = fold(radius, 8, 20);
+    const std::vector<char> patches(1, 1);
+    const Ridges ridges = find_ridges(mesh, patches, {.width = 0.05});
+    EXPECT_EQ(ridges.edges.size(), 20U);
+    for (const auto& edge : ridges.edges) {
+        for (const std::int32_t v : edge) {
+            EXPECT_NEAR(mesh.position(Vertex(v)).x(), -radius, 0.1 * radius);
+            EXPECT_NEAR(mesh.position(Vertex(v)).z(), 0.0, 0.4 * radius);
+        }
+    }
+}
+
+TEST(FindRidges, WhatElementsCanFollowIsNoRidge) {
+    const SurfaceMesh mesh = fold(0.3, 24, 20);
+    const std::vector<char> patches(1, 1);
+    EXPECT_TRUE(find_ridges(mesh, patches, {.width = 0.05}).edges.empty());
+}
+
+TEST(FindRidges, OnlyTheGivenPatchesAreLookedAt) {
+    const SurfaceMesh mesh = fold(0.01, 8, 20);
+    const std::vector<char> patches(1, 0);
+    EXPECT_TRUE(find_ridges(mesh, patches, {.width = 0.05}).edges.empty());
+}
+
+TEST(FindRidges, RidgesBecomeLinesOfTheirOwn) {
+    SurfaceMesh mesh = fold(0.01, 8, 20);
+    const std::vector<char> patches(1, 1);
+    const Ridges ridges = find_ridges(mesh, patches, {.width = 0.05});
+    int found = 0;
+    for (const FeatureLine& line : find_features(mesh, {}, {}, ridges.edges)) {
+        found += line.is_ridge;
+        if (line.is_ridge) {
+            EXPECT_EQ(line.nodes.size(), 21U);
+        }
+    }
+    EXPECT_EQ(found, 1);
+}
+
+}  // namespace
+}  // namespace anisoquad

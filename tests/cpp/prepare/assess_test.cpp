@@ -1,0 +1,51 @@
+#include "prepare/assess.h"
+
+#include <gtest/gtest.h>
+
+#include "features/feature_lines.h"
+#include "features/patches.h"
+#include "mesh/arrays.h"
+#include "strip_cylinder.h"
+
+namespace anisoquad {
+namespace {
+
+PatchAssessment assess(const Surface& s) {
+    SurfaceMesh mesh = from_arrays(s.points, s.triangles);
+    find_features(mesh, {}, {});
+    EXPECT_EQ(find_patches(mesh), 1);
+    return assess_patches(mesh).at(0);
+}
+
+/// A cylinder whose rings lie closer and closer: each is `step` times as high as the one before.
+Surface graded_cylinder(double step) {
+    Surface s = strip_cylinder(24, 30, 1.0);
+    double z = 0.0;
+    double height = 0.02;
+    for (std::size_t i = 0; i < s.points.size(); ++i) {
+        if (i % 24 == 0 && i > 0) {
+            z += height;
+            height *= step;
+        }
+        s.points[i].z() = z;
+    }
+    return s;
+}
+
+TEST(AssessPatches, LongThinTrianglesArePoor) {
+    const PatchAssessment long_ones = assess(strip_cylinder(24, 1, 1.0));
+    EXPECT_TRUE(long_ones.is_poor);
+    EXPECT_EQ(long_ones.poor, long_ones.triangles);
+    const PatchAssessment good = assess(strip_cylinder(24, 40, 1.0));
+    EXPECT_FALSE(good.is_poor);
+    EXPECT_EQ(good.poor, 0);
+    EXPECT_EQ(good.triangles, 2 * 24 * 40);
+}
+
+TEST(AssessPatches, SteepGradingIsSeenAndAGentleOneIsNot) {
+    EXPECT_TRUE(assess(graded_cylinder(1.0 / 0.85)).is_graded || assess(graded_cylinder(1.0 / 0.85)).is_poor);
+    EXPECT_FALSE(assess(graded_cylinder(1.02)).is_graded);
+}
+
+}  // namespace
+}  // namespace anisoquad
