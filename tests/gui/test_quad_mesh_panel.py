@@ -45,7 +45,7 @@ class QuadMeshPanel(WindowTest):
         self.assertEqual(table.item(0, 2).text(), str(len(self.leading_edge) - 1))
         before = self.pixels_like((232, 89, 64))
         form.findChild(object, "preview").click()
-        wait()
+        self.assertTrue(wait(lambda: not form.findChild(object, "cancel").isEnabled(), 30))
         self.assertGreater(self.pixels_like((232, 89, 64)), before + 500)
         self.screenshot("panel")
 
