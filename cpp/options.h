@@ -30,6 +30,7 @@ std::vector<Pass> passes_for_anisotropy(int anisotropy);
 struct Options {
     double feature_angle = 40.0;  ///< degrees; edges whose facets turn by more are feature lines
     std::vector<std::array<std::int32_t, 2>> feature_edges;  ///< further feature edges, as pairs of input vertex ids
+    bool repair = false;          ///< mend bad input (see input/repair.h) instead of rejecting it; the report says what was changed
     bool prepare = true;          ///< remesh patches whose triangles can't hold quads first: too long and thin, or too steeply graded
     double size = 0.0;            ///< wanted edge length of the quads in the input's unit; remeshes all patches. 0: that of the triangles
     std::vector<double> vertex_size;  ///< the same, one length per input vertex; empty: `size` everywhere

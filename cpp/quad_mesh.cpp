@@ -12,7 +12,9 @@
 #include "features/patches.h"
 #include "features/reference_lines.h"
 #include "features/ridges.h"
+#include "features/small_patches.h"
 #include "input/check.h"
+#include "input/repair.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
 #include "prepare/prepare.h"
@@ -35,12 +37,14 @@ struct Frame {
     Point centre = Point::Zero();
     double scale = 1.0;
 
-    explicit Frame(std::span<const Point> points) {
-        Point low = points[0];
-        Point high = points[0];
-        for (const Point& p : points) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
+    Frame(std::span<const Point> points, Triangles triangles) {
+        Point low = points[static_cast<std::size_t>(triangles[0][0])];
+        Point high = low;
+        for (const auto& t : triangles) {
+            for (const std::int32_t v : t) {
+                low = low.cwiseMin(points[static_cast<std::size_t>(v)]);
+                high = high.cwiseMax(points[static_cast<std::size_t>(v)]);
+            }
         }
         centre = 0.5 * (low + high);
         scale = (high - low).norm();
@@ -57,9 +61,9 @@ class Pipeline {
 
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
-        check_options(options_);
+        check_options(options_, points_.size());
         check_input(points_, triangles_);
-        const Frame frame(points_);
+        const Frame frame(points_, triangles_);
         for (const Point& p : points_) unit_points_.push_back(frame.in(p));
         mesh_ = from_arrays(unit_points_, triangles_);
         check_sources(mesh_, sources_);
@@ -88,8 +92,9 @@ class Pipeline {
         end();
 
         begin("parity", 0.25, 0.26);
-        const ParityResult parity = make_parity_even(mesh_, {.sources_are_segmented = true});
-        report().parity_splits = parity.splits;
+        report().parity_splits = refine_small_patches(mesh_);
+        const ParityResult parity = make_parity_even(mesh_);
+        report().parity_splits += parity.splits;
         if (!parity.left.empty()) warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
         end();
 
@@ -254,10 +259,33 @@ class Pipeline {
     std::chrono::steady_clock::time_point started_;
 };
 
+/// The whole way for a mended surface. Ids in the result are those of the input.
+QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, Options options,
+                             Context& context) {
+    context.begin_stage("repair", 0.0, 0.01);
+    const RepairResult repaired = repair_surface(points, triangles, sources, options.feature_edges);
+    options.feature_edges = repaired.feature_edges;
+    if (options.vertex_size.size() == points.size() && !points.empty()) {
+        // Vertices that the repair adds stand at an input vertex, or on an edge, where the smallest size does no harm.
+        const double least = *std::min_element(options.vertex_size.begin(), options.vertex_size.end());
+        for (std::size_t i = points.size(); i < repaired.points.size(); ++i) {
+            const std::int32_t origin = repaired.origin[i];
+            options.vertex_size.push_back(origin >= 0 ? options.vertex_size[static_cast<std::size_t>(origin)] : least);
+        }
+    }
+    QuadMeshResult result = Pipeline(repaired.points, repaired.triangles, repaired.sources, options, context).run();
+    for (std::int32_t& input : result.node_input) input = input >= 0 ? repaired.origin[static_cast<std::size_t>(input)] : -1;
+    result.report.repair = repaired.report;
+    const std::string changed = summary(repaired.report);
+    if (!changed.empty()) result.report.warnings.insert(result.report.warnings.begin(), "the input was repaired: " + changed);
+    return result;
+}
+
 }  // namespace
 
 QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
                          Context& context) {
+    if (options.repair) return mesh_repaired(points, triangles, sources, options, context);
     return Pipeline(points, triangles, sources, options, context).run();
 }
 

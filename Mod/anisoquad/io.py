@@ -29,6 +29,8 @@ def read_triangles(path):
         raise
     except (Exception, SystemExit) as error:  # meshio ends with many types of exception, and some readers of it exit
         raise _unreadable(path, f"not a valid {path.suffix[1:].upper()} file ({_first_line(error)})") from None
+    # What int32 can't hold is out of range at its limits too: the core names the facets.
+    triangles = np.clip(triangles, np.iinfo(np.int32).min, np.iinfo(np.int32).max)
     return np.ascontiguousarray(points, np.float64), np.ascontiguousarray(triangles, np.int32)
 
 

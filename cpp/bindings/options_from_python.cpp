@@ -55,6 +55,7 @@ void bind_options(py::module_& module) {
     OptionFields(options)
         .add("feature_angle", &Options::feature_angle, "Degrees; edges whose facets turn by more are feature lines")
         .add("feature_edges", &Options::feature_edges, "Further feature edges, as pairs of input vertex ids")
+        .add("repair", &Options::repair, "Mend bad input instead of rejecting it; the report says what was changed")
         .add("prepare", &Options::prepare, "Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded")
         .add("size", &Options::size, "Wanted edge length of the quads; remeshes all patches. 0: that of the triangles")
         .add("vertex_size", &Options::vertex_size, "Wanted edge lengths, one per input vertex, instead of size")

@@ -24,6 +24,13 @@ py::dict to_dict(const RowReport& r) {
 
 py::dict to_dict(const StageTime& t) { return py::dict("stage"_a = t.stage, "seconds"_a = t.seconds); }
 
+py::dict to_dict(const RepairReport& r) {
+    return py::dict("out_of_range_facets"_a = r.out_of_range_facets, "non_finite_facets"_a = r.non_finite_facets,
+                    "degenerate_facets"_a = r.degenerate_facets, "duplicate_facets"_a = r.duplicate_facets,
+                    "welded_vertices"_a = r.welded_vertices, "cut_edges"_a = r.cut_edges,
+                    "flipped_facets"_a = r.flipped_facets, "new_vertices"_a = r.new_vertices);
+}
+
 template <class Item>
 py::list to_list(const std::vector<Item>& items) {
     py::list list;
@@ -50,7 +57,7 @@ py::dict to_dict(const Report& r) {
                  "neighbour_area_ratio_max"_a = r.neighbour_area_ratio_max, "valence_histogram"_a = r.valence_histogram,
                  "regular_percent"_a = r.regular_percent, "hausdorff"_a = r.hausdorff,
                  "hausdorff_relative"_a = r.hausdorff_relative));
-    add(py::dict("times"_a = to_list(r.times), "warnings"_a = r.warnings));
+    add(py::dict("repair"_a = to_dict(r.repair), "times"_a = to_list(r.times), "warnings"_a = r.warnings));
     return dict;
 }
 

@@ -8,12 +8,13 @@
 #include <tuple>
 #include <utility>
 
-#include "mesh/euler_operators.h"
+#include "mesh/quad_chord.h"
 
 namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
+constexpr double kChord = 10.0;  // a column or a row of quads is halved only where no single edge helps
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -73,8 +74,7 @@ class DisjointSets {
 
 class ParityMaker {
   public:
-    ParityMaker(SurfaceMesh& mesh, const ParityOptions& options)
-        : mesh_(mesh), options_(options), components_(mesh), outside_(components_.size()) {}
+    explicit ParityMaker(SurfaceMesh& mesh) : mesh_(mesh), components_(mesh), outside_(components_.size()) {}
 
     ParityResult run() {
         for (std::int32_t c = 0; c < outside_; ++c) result_.odd += components_.is_odd(c);
@@ -88,12 +88,12 @@ class ParityMaker {
     }
 
   private:
-    /// The cheapest edge that two components, or a component and outside, share.
+    /// The cheapest edge that two components, or a component and outside, share, or chord of quads between them.
     struct Link {
         std::int32_t a;
         std::int32_t b;
         double cost;
-        Edge edge;
+        HalfEdge start;  ///< in a component, or outside
         std::int32_t other(std::int32_t node) const { return node == a ? b : a; }
     };
 
@@ -118,16 +118,24 @@ class ParityMaker {
         return 1.0 + std::min(ratio, 4.0) + source;
     }
 
+    double chord_cost(HalfEdge start, HalfEdge end, int quads) const {
+        if (quads == 0) return cost(M::edge(start));
+        return kChord + 0.5 * quads + std::max(cost(M::edge(start)), cost(M::edge(end)));
+    }
+
     void find_links() {
-        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
-            const Edge e(i);
-            if (mesh_.is_deleted(e) || !mesh_.is_constrained(e) || (options_.sources_are_segmented && mesh_.info(e).source))
-                continue;
-            const auto [a, b] = std::minmax({node(M::halfedge(e, 0)), node(M::halfedge(e, 1))});
-            if (a >= 0 && a != b) links_.push_back({a, b, cost(e), e});
+        for (std::int32_t i = 0; i < mesh_.halfedge_slots(); ++i) {
+            const HalfEdge h(i);
+            if (mesh_.is_deleted(h) || node(h) < 0) continue;
+            const bool quad = !mesh_.is_boundary(M::twin(h)) && mesh_.is_quad(mesh_.face(M::twin(h)));
+            if (!quad && !mesh_.is_constrained(M::edge(h))) continue;
+            int quads = 0;
+            const HalfEdge end = chord_end(mesh_, h, quads);
+            const auto [a, b] = std::minmax({node(h), node(end)});
+            if (h < end && a != b) links_.push_back({a, b, chord_cost(h, end, quads), h});
         }
         std::sort(links_.begin(), links_.end(), [](const Link& x, const Link& y) {
-            return std::tie(x.a, x.b, x.cost, x.edge) < std::tie(y.a, y.b, y.cost, y.edge);
+            return std::tie(x.a, x.b, x.cost, x.start) < std::tie(y.a, y.b, y.cost, y.start);
         });
         const auto same_pair = [](const Link& x, const Link& y) { return x.a == y.a && x.b == y.b; };
         links_.erase(std::unique(links_.begin(), links_.end(), same_pair), links_.end());
@@ -266,16 +274,12 @@ class ParityMaker {
 
     void split_links() {
         for (std::size_t i = 0; i < links_.size(); ++i) {
-            if (!used_[i]) continue;
-            const HalfEdge h = M::halfedge(links_[i].edge);
-            const Point middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
-            result_.new_nodes.push_back(split_edge(mesh_, links_[i].edge, middle));
-            ++result_.splits;
+            if (used_[i]) split_chord(mesh_, links_[i].start, result_.new_nodes);
         }
+        result_.splits = static_cast<std::int32_t>(result_.new_nodes.size());
     }
 
     SurfaceMesh& mesh_;
-    const ParityOptions& options_;
     Components components_;
     std::int32_t outside_;  ///< node of the graph that stands for what lies beyond the boundary
     std::vector<Link> links_;
@@ -291,7 +295,7 @@ class ParityMaker {
 
 }  // namespace
 
-ParityResult make_parity_even(SurfaceMesh& mesh, const ParityOptions& options) { return ParityMaker(mesh, options).run(); }
+ParityResult make_parity_even(SurfaceMesh& mesh) { return ParityMaker(mesh).run(); }
 
 std::int32_t count_odd_components(const SurfaceMesh& mesh) {
     const Components components(mesh);

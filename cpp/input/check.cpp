@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "errors.h"
+#include "input/flatness.h"
+#include "mesh/directed_edges.h"
 
 namespace anisoquad {
 namespace {
@@ -15,8 +17,6 @@ namespace {
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
 constexpr std::size_t kMostIds = 1000;
-/// Twice the area over the square of the longest edge: below it a facet has no usable normal.
-constexpr double kNoArea = 1e-9;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -36,7 +36,7 @@ class InputChecker {
     void run() {
         check_numbers();
         check_facets();
-        sort_edges();
+        edges_ = sorted_edges(points_.size(), triangles_);
         check_duplicates();
         check_edges();
         check_orientation();
@@ -44,17 +44,8 @@ class InputChecker {
     }
 
   private:
-    /// A half-edge of a facet: it leaves corner `corner % 3` of facet `corner / 3`.
-    struct DirectedEdge {
-        std::int32_t low;
-        std::int32_t high;
-        std::int32_t corner;
-        bool operator<(const DirectedEdge& other) const { return high != other.high ? high < other.high : corner < other.corner; }
-        bool same_edge(const DirectedEdge& other) const { return low == other.low && high == other.high; }
-    };
-
-    static std::int32_t next(std::int32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-    static std::int32_t prev(std::int32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+    static std::int32_t next(std::int32_t corner) { return next_corner(corner); }
+    static std::int32_t prev(std::int32_t corner) { return previous_corner(corner); }
     std::int32_t vertex(std::int32_t corner) const { return triangles_[at(corner / 3)][at(corner % 3)]; }
     std::int32_t corners() const { return 3 * static_cast<std::int32_t>(triangles_.size()); }
 
@@ -81,54 +72,28 @@ class InputChecker {
 
     void check_facets() const {
         std::vector<std::int32_t> ids;
+        const double size = diagonal(points_, triangles_);
         for (std::size_t f = 0; f < triangles_.size(); ++f) {
             const auto& [a, b, c] = triangles_[f];
-            const Point u = points_[at(b)] - points_[at(a)];
-            const Point v = points_[at(c)] - points_[at(a)];
-            const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-            if (a == b || b == c || c == a || !(u.cross(v).norm() > kNoArea * longest))
+            if (a == b || b == c || c == a || is_degenerate(points_[at(a)], points_[at(b)], points_[at(c)], size))
                 ids.push_back(static_cast<std::int32_t>(f));
         }
         const std::string flat = count(ids.size(), "facet has", "facets have");
         reject(ErrorCode::degenerate_facets, ElementKind::facet, std::move(ids),
                flat +
-                   " no area: two corners are the same or at the same place, or all three lie on one line. "
+                   " no area: two corners are the same or at the same place, all three lie on one line, or the facet is a mere "
+                   "point "
+                   "beside the model. "
                    "Remove them.");
-    }
-
-    /// Brings the half-edges of an edge together: a counting sort by the lower end, then by the other end.
-    void sort_edges() {
-        std::vector<std::int32_t> start(points_.size() + 1, 0);
-        for (std::int32_t c = 0; c < corners(); ++c) ++start[at(std::min(vertex(c), vertex(next(c)))) + 1];
-        for (std::size_t i = 0; i < points_.size(); ++i) start[i + 1] += start[i];
-        edges_.resize(at(corners()));
-        std::vector<std::int32_t> fill(start.begin(), start.end() - 1);
-        for (std::int32_t c = 0; c < corners(); ++c) {
-            const auto [low, high] = std::minmax({vertex(c), vertex(next(c))});
-            edges_[at(fill[at(low)]++)] = {low, high, c};
-        }
-        for (std::size_t i = 0; i < points_.size(); ++i) std::sort(edges_.begin() + start[i], edges_.begin() + start[i + 1]);
-    }
-
-    /// Calls f(first, last) for the half-edges of every edge.
-    template <class Function>
-    void for_edges(Function f) const {
-        for (std::size_t i = 0; i < edges_.size();) {
-            std::size_t j = i + 1;
-            while (j < edges_.size() && edges_[i].same_edge(edges_[j])) ++j;
-            f(i, j);
-            i = j;
-        }
     }
 
     void check_duplicates() const {
         std::vector<std::int32_t> ids;
         std::vector<std::pair<std::int32_t, std::int32_t>> opposite;  // facets of one edge by their third corner
-        for_edges([&](std::size_t first, std::size_t last) {
-            if (last - first < 2) return;
+        for_each_edge(std::span<const DirectedEdge>(edges_), [&](std::span<const DirectedEdge> edge) {
+            if (edge.size() < 2) return;
             opposite.clear();
-            for (std::size_t i = first; i < last; ++i)
-                opposite.emplace_back(vertex(prev(edges_[i].corner)), edges_[i].corner / 3);
+            for (const DirectedEdge& e : edge) opposite.emplace_back(vertex(prev(e.corner)), e.corner / 3);
             std::sort(opposite.begin(), opposite.end());
             for (std::size_t i = 1; i < opposite.size(); ++i) {
                 if (opposite[i].first == opposite[i - 1].first) ids.push_back(opposite[i].second);
@@ -143,8 +108,8 @@ class InputChecker {
 
     void check_edges() const {
         std::vector<std::int32_t> ids;
-        for_edges([&](std::size_t first, std::size_t last) {
-            if (last - first > 2) ids.insert(ids.end(), {edges_[first].low, edges_[first].high});
+        for_each_edge(std::span<const DirectedEdge>(edges_), [&](std::span<const DirectedEdge> edge) {
+            if (edge.size() > 2) ids.insert(ids.end(), {edge[0].low, edge[0].high});
         });
         const std::string shared = count(ids.size() / 2, "edge is", "edges are");
         reject(ErrorCode::non_manifold_edges, ElementKind::edge, std::move(ids),
@@ -159,14 +124,14 @@ class InputChecker {
         mate_.assign(edges_.size(), -1);
         std::vector<std::int32_t> neighbour(edges_.size(), -1);
         std::vector<std::int32_t> clashes;
-        for_edges([&](std::size_t first, std::size_t last) {
-            if (last - first != 2) return;
-            const std::int32_t a = edges_[first].corner;
-            const std::int32_t b = edges_[first + 1].corner;
+        for_each_edge(std::span<const DirectedEdge>(edges_), [&](std::span<const DirectedEdge> edge) {
+            if (edge.size() != 2) return;
+            const std::int32_t a = edge[0].corner;
+            const std::int32_t b = edge[1].corner;
             neighbour[at(a)] = b;
             neighbour[at(b)] = a;
             if (vertex(a) == vertex(b)) {
-                clashes.insert(clashes.end(), {edges_[first].low, edges_[first].high});
+                clashes.insert(clashes.end(), {edge[0].low, edge[0].high});
             } else {
                 mate_[at(a)] = b;
                 mate_[at(b)] = a;
@@ -182,8 +147,7 @@ class InputChecker {
         }
         const std::string wrong = count(turned.size(), "facet is", "facets are");
         reject(ErrorCode::inconsistent_orientation, ElementKind::facet, std::move(turned),
-               wrong +
-                   " turned the other way than the rest of the surface. Flip them (harmonize the normals).");
+               wrong + " turned the other way than the rest of the surface. Flip them (harmonize the normals).");
     }
 
     /// The smaller set of facets of every component that must be flipped. @returns false if the surface is one-sided
@@ -234,8 +198,7 @@ class InputChecker {
         std::sort(ids.begin(), ids.end());
         const std::string pinched = count(ids.size(), "vertex joins", "vertices join");
         reject(ErrorCode::non_manifold_vertices, ElementKind::vertex, std::move(ids),
-               pinched +
-                   " parts of the surface that share no edge there. Give each part its own vertex at that place.");
+               pinched + " parts of the surface that share no edge there. Give each part its own vertex at that place.");
     }
 
     std::span<const Point> points_;
@@ -323,11 +286,24 @@ void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources) {
     for (std::size_t i = 0; i < sources.size(); ++i) checker.check(sources[i], i);
 }
 
-void check_options(const Options& options) {
+void check_options(const Options& options, std::size_t points) {
     if (!(options.feature_angle > 0.0 && options.feature_angle <= 180.0)) {
         invalid_option("The feature angle must be above 0 and at most 180 degrees.");
     }
     if (!(options.row_growth >= 1.0 && std::isfinite(options.row_growth))) invalid_option("The row growth must be 1 or more.");
+    if (!(options.size >= 0.0 && std::isfinite(options.size))) invalid_option("The size must be 0 (that of the triangles) or a length.");
+    const auto is_length = [](double size) { return size > 0.0 && std::isfinite(size); };
+    if (!options.vertex_size.empty() && options.vertex_size.size() != points) {
+        invalid_option("There must be one size per vertex: " + std::to_string(options.vertex_size.size()) + " sizes were given for " +
+                       std::to_string(points) + " vertices.");
+    }
+    if (!std::all_of(options.vertex_size.begin(), options.vertex_size.end(), is_length)) {
+        invalid_option("The sizes per vertex must be lengths above 0.");
+    }
+    if (!(options.growth > 1.0 && std::isfinite(options.growth))) invalid_option("The growth must be above 1.");
+    if (!(options.curvature_angle >= 0.0 && options.curvature_angle <= 180.0)) {
+        invalid_option("The curvature angle must be between 0 and 180 degrees.");
+    }
     if (options.smoothing_passes < 0) invalid_option("The number of smoothing passes must be 0 or more.");
 }
 

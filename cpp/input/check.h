@@ -23,9 +23,9 @@ void check_input(std::span<const Point> points, std::span<const std::array<std::
 /// @throws Error{invalid_source, invalid_option}
 void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources);
 
-/// Rejects options out of their range.
+/// Rejects options out of their range, and sizes per vertex that are not one for each of the points.
 /// @throws Error{invalid_option}
-void check_options(const Options& options);
+void check_options(const Options& options, std::size_t points = 0);
 
 /// Rejects pairs of vertices that are not edges of the mesh.
 /// @param mesh fresh from from_arrays(), so that vertex i is input vertex i

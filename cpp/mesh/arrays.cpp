@@ -1,44 +1,8 @@
 #include "mesh/arrays.h"
 
-#include <algorithm>
+#include "mesh/directed_edges.h"
 
 namespace anisoquad {
-namespace {
-
-/// One directed edge of a facet, sorted so that the two directions of an edge stand together.
-struct DirectedEdge {
-    std::int32_t low;
-    std::int32_t high;
-    std::int32_t corner;  ///< 3·facet + corner; the edge leaves that corner
-    bool operator<(const DirectedEdge& other) const {
-        return low != other.low ? low < other.low : (high != other.high ? high < other.high : corner < other.corner);
-    }
-};
-
-/// Sorts the directed edges of all facets by their lower end (counting sort), then by the other end.
-std::vector<DirectedEdge> sorted_edges(std::size_t points, std::span<const std::array<std::int32_t, 3>> triangles) {
-    std::vector<std::int32_t> start(points + 1, 0);
-    for (const auto& t : triangles) {
-        for (std::size_t k = 0; k < 3; ++k) ++start[static_cast<std::size_t>(std::min(t[k], t[(k + 1) % 3])) + 1];
-    }
-    for (std::size_t i = 0; i < points; ++i) start[i + 1] += start[i];
-    std::vector<DirectedEdge> edges(3 * triangles.size());
-    std::vector<std::int32_t> fill(start.begin(), start.end() - 1);
-    std::int32_t corner = 0;
-    for (const auto& t : triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t a = t[k];
-            const std::int32_t b = t[(k + 1) % 3];
-            const std::size_t low = static_cast<std::size_t>(std::min(a, b));
-            edges[static_cast<std::size_t>(fill[low]++)] = {std::min(a, b), std::max(a, b), corner++};
-        }
-    }
-    for (std::size_t i = 0; i < points; ++i) std::sort(edges.begin() + start[i], edges.begin() + start[i + 1]);
-    return edges;
-}
-
-}  // namespace
-
 SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles) {
     SurfaceMesh mesh;
     const auto n = static_cast<std::int32_t>(points.size());

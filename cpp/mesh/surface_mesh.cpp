@@ -21,6 +21,16 @@ HalfEdge SurfaceMesh::find_halfedge(Vertex a, Vertex b) const {
     return {};
 }
 
+bool SurfaceMesh::has_face_on(Vertex a, Vertex b, Vertex c, Vertex d) const {
+    for (const HalfEdge out : outgoing(a)) {
+        if (is_boundary(out)) continue;
+        int others = 0;
+        for (const HalfEdge h : halfedges(face(out))) others += from(h) == b || from(h) == c || from(h) == d;
+        if (others == 3) return true;
+    }
+    return false;
+}
+
 Vertex SurfaceMesh::add_vertex(const Point& p) {
     if (!free_vertices_.empty()) {
         const Vertex v = free_vertices_.back();

@@ -22,8 +22,8 @@ struct VertexInfo {
     std::int32_t input = -1;  ///< input vertex at whose place the node still is, -1 for a new or moved node
     std::int32_t line = -1;   ///< feature line the node lies on (corners: one of them), -1 = none
     NodeKind kind = NodeKind::interior;
-    double size = 0.0;        ///< wanted edge length of quads here (see qmorph/node_size.h), 0 = not known
-    bool in_row = false;      ///< node of an anisotropic row: moved only by what keeps the rows' shape
+    double size = 0.0;    ///< wanted edge length of quads here (see qmorph/node_size.h), 0 = not known
+    bool in_row = false;  ///< node of an anisotropic row: moved only by what keeps the rows' shape
 };
 
 struct EdgeInfo {
@@ -33,8 +33,8 @@ struct EdgeInfo {
 
 struct FaceInfo {
     std::int32_t patch = -1;
-    std::int32_t row = 0;      ///< 1-based from the source, 0 = not in a row
-    std::int32_t pass = 0;     ///< 1-based
+    std::int32_t row = 0;   ///< 1-based from the source, 0 = not in a row
+    std::int32_t pass = 0;  ///< 1-based
     std::int32_t source = -1;
 };
 
@@ -95,6 +95,8 @@ class SurfaceMesh {
     int valence(Face f) const;
     /// Half-edge from `a` to `b`, invalid if no edge joins them.
     HalfEdge find_halfedge(Vertex a, Vertex b) const;
+    /// True if a face holds all four nodes, in whatever order: a quad on them would be its copy.
+    bool has_face_on(Vertex a, Vertex b, Vertex c, Vertex d) const;
 
     // --- geometry and attributes
     const Point& position(Vertex v) const { return points_[at(v)]; }

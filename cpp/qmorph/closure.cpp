@@ -16,9 +16,10 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-constexpr double kFlat = 0.5;     // length of a region's area vector over its area: below it no few quads can stand for it
-constexpr double kFolded = -0.3;  // what smoothing can still open
+constexpr double kFlat = 0.5;      // length of a region's area vector over its area: below it no few quads can stand for it
+constexpr double kFolded = -0.3;   // what smoothing can still open
 constexpr double kDoubled = -2.0;  // a cut that would double an edge
+constexpr int kMostTries = 50;     // of the ways of a single triangle to another one
 
 /// False for what only its loop is small of: all of a closed surface but one quad.
 bool is_flat(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
@@ -36,13 +37,15 @@ bool close_six(SurfaceMesh& mesh, const std::array<HalfEdge, 6>& loop, const std
     double best = kFolded;
     int choice = -1;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (mesh.find_halfedge(v[i], v[i + 3]).is_valid() &&
-            std::none_of(faces.begin(), faces.end(), [&](Face f) {
+        if (mesh.find_halfedge(v[i], v[i + 3]).is_valid() && std::none_of(faces.begin(), faces.end(), [&](Face f) {
                 const HalfEdge d = mesh.find_halfedge(v[i], v[i + 3]);
                 return mesh.face(d) == f || mesh.face(M::twin(d)) == f;
             })) {
             continue;  // joined outside already: a second edge between the same nodes
         }
+        if (mesh.has_face_on(v[i], v[i + 1], v[i + 2], v[i + 3]) ||
+            mesh.has_face_on(v[i + 3], v[(i + 4) % 6], v[(i + 5) % 6], v[i]))
+            continue;
         const double q = std::min(scaled_jacobian(p(i), p(i + 1), p(i + 2), p(i + 3), n),
                                   scaled_jacobian(p(i + 3), p(i + 4), p(i + 5), p(i), n));
         if (q > best) {
@@ -82,11 +85,12 @@ class Finish {
     FinishResult run() {
         pair_neighbours();
         collect_single();
-        for (const Face f : single_) {
+        for (Face f : single_) {
             if (mesh_.is_deleted(f) || !mesh_.is_triangle(f)) continue;
-            if (walk(f)) ++result_.walks;
+            if (walk(f, false) || walk(f, true)) ++result_.walks;
         }
-        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) result_.left += !mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i));
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i)
+            result_.left += !mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i));
         return result_;
     }
 
@@ -111,7 +115,10 @@ class Finish {
         const HalfEdge h = M::halfedge(e);
         const HalfEdge g = M::twin(h);
         if (!mesh_.is_triangle(mesh_.face(h)) || !mesh_.is_triangle(mesh_.face(g))) return false;
-        return mesh_.to(mesh_.next(h)) != mesh_.to(mesh_.next(g));  // two triangles on the same nodes are no quad
+        const Vertex c = mesh_.to(mesh_.next(h));
+        const Vertex d = mesh_.to(mesh_.next(g));
+        return c != d &&
+               !mesh_.has_face_on(mesh_.from(h), mesh_.to(h), c, d);  // neither two triangles on the same nodes nor a copy
     }
 
     void pair_neighbours() {
@@ -119,9 +126,8 @@ class Finish {
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
             if (joins_triangles(Edge(i))) pairs.push_back({quality_of(Edge(i)), Edge(i)});
         }
-        std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-            return a.quality != b.quality ? a.quality > b.quality : a.edge < b.edge;
-        });
+        std::sort(pairs.begin(), pairs.end(),
+                  [](const Pair& a, const Pair& b) { return a.quality != b.quality ? a.quality > b.quality : a.edge < b.edge; });
         for (const Pair& pair : pairs) {
             if (!joins_triangles(pair.edge)) continue;
             dissolve_edge(mesh_, pair.edge);
@@ -133,23 +139,22 @@ class Finish {
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             if (!mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i))) single_.push_back(Face(i));
         }
-        from_.assign(static_cast<std::size_t>(mesh_.face_slots()), HalfEdge());
-        stamp_.assign(static_cast<std::size_t>(mesh_.face_slots()), -1);
     }
 
     /// Breadth-first to the nearest other triangle; then cut the pentagons along the way anew. A door that can not be passed is
     /// remembered and the way searched again.
-    bool walk(Face start) {
+    /// @param f the triangle; receives where it has come to if it meets no other
+    /// @param with_nodes pentagons that no diagonal can cut get a new node inside
+    bool walk(Face& f, bool with_nodes) {
         shut_.clear();
-        Face f = start;
-        for (int tries = 0; tries < 200; ++tries) {
+        for (int tries = 0; tries < kMostTries; ++tries) {
             if (!find_path(f)) return false;
             bool passed = true;
             for (std::size_t i = 0; i + 1 < path_.size() && passed; ++i) {
-                passed = step(path_[i], path_[i + 1]);
+                passed = step(path_[i], path_[i + 1], with_nodes);
                 if (!passed) {
                     f = mesh_.face(path_[i]);
-                    shut_.push_back(M::edge(path_[i]));
+                    if (!absorb(f, path_[i])) shut_.push_back(M::edge(path_[i]));
                 }
             }
             if (!passed) continue;
@@ -166,12 +171,15 @@ class Finish {
 
     bool find_path(Face start) {
         queue_.assign(1, start);
+        from_.resize(static_cast<std::size_t>(mesh_.face_slots()));
+        stamp_.resize(static_cast<std::size_t>(mesh_.face_slots()), -1);
         ++now_;
         stamp_[static_cast<std::size_t>(start.index())] = now_;
         Face goal;
         for (std::size_t i = 0; i < queue_.size() && !goal.is_valid(); ++i) {
             for (const HalfEdge h : mesh_.halfedges(queue_[i])) {
-                if (mesh_.is_constrained(M::edge(h)) || std::find(shut_.begin(), shut_.end(), M::edge(h)) != shut_.end()) continue;
+                if (mesh_.is_constrained(M::edge(h)) || std::find(shut_.begin(), shut_.end(), M::edge(h)) != shut_.end())
+                    continue;
                 const Face g = mesh_.face(M::twin(h));
                 const auto slot = static_cast<std::size_t>(g.index());
                 if (stamp_[slot] == now_ || mesh_.info(g).row > 0) continue;
@@ -191,9 +199,32 @@ class Finish {
         return true;
     }
 
+    /// A triangle and a quad that share two edges are the triangle without the node between these.
+    /// @param f the triangle of `door`; receives what it becomes; @returns false, and nothing changed, if they are not so
+    bool absorb(Face& f, HalfEdge door) {
+        const HalfEdge across = M::twin(door);
+        const HalfEdge left = mesh_.prev(door);   // shares from(door)
+        const HalfEdge right = mesh_.next(door);  // shares to(door)
+        std::array<HalfEdge, 3> loop;
+        Vertex between;
+        if (M::twin(left) == mesh_.next(across)) {
+            between = mesh_.from(door);
+            loop = {right, mesh_.next(mesh_.next(across)), mesh_.prev(across)};
+        } else if (M::twin(right) == mesh_.prev(across)) {
+            between = mesh_.to(door);
+            loop = {left, mesh_.next(across), mesh_.next(mesh_.next(across))};
+        } else {
+            return false;
+        }
+        if (mesh_.info(between).kind != NodeKind::interior || mesh_.valence(between) != 2) return false;
+        const std::array<Face, 2> both{mesh_.face(door), mesh_.face(across)};
+        f = replace_region(mesh_, loop, both);
+        return true;
+    }
+
     /// Moves the triangle of `door` through the quad behind it, so that it lies at the half-edge `exit` of that quad.
     /// @returns false, and nothing changed, if either cut would double an edge
-    bool step(HalfEdge door, HalfEdge exit) {
+    bool step(HalfEdge door, HalfEdge exit, bool with_nodes) {
         // The pentagon: the triangle's apex, then the quad's nodes; it must not hold a node twice.
         const Vertex apex = mesh_.to(mesh_.next(door));
         for (const HalfEdge h : mesh_.halfedges(mesh_.face(M::twin(door)))) {
@@ -207,16 +238,32 @@ class Finish {
         const HalfEdge before = mesh_.prev(exit);
         const double q_after = cut_quality(exit, mesh_.next(after));
         const double q_before = cut_quality(before, after);
-        if (std::max(q_after, q_before) <= kDoubled) {
+        const bool doubled = std::max(q_after, q_before) <= kDoubled;
+        if (doubled && with_nodes) {
+            cut_with_node(exit);
+        } else if (doubled) {
             insert_edge(mesh_, back, mesh_.next(back_end));
             return false;
-        }
-        if (q_after >= q_before) {
+        } else if (q_after >= q_before) {
             insert_edge(mesh_, exit, mesh_.next(after));
         } else {
             insert_edge(mesh_, before, after);
         }
         return true;
+    }
+
+    /// A triangle at the exit and two quads round a new node in the middle of the pentagon: all its edges are new.
+    void cut_with_node(HalfEdge exit) {
+        std::array<Vertex, 5> nodes;
+        Point centre = Point::Zero();
+        HalfEdge h = exit;
+        for (Vertex& node : nodes) {
+            node = mesh_.from(h);
+            centre += mesh_.position(node) / 5.0;
+            h = mesh_.next(h);
+        }
+        const Vertex v = split_face(mesh_, mesh_.face(exit), centre);
+        for (const std::size_t i : {2u, 4u}) dissolve_edge(mesh_, M::edge(mesh_.find_halfedge(v, nodes[i])));
     }
 
     /// Scaled Jacobian of the quad that remains when the nodes from(h) … from(g) (two edges) are cut off a pentagon.
@@ -249,7 +296,8 @@ bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
             k = h;
             h = next_front(mesh, h);
         }
-        if (!collect_region(mesh, loop, faces) || !is_flat(mesh, faces)) return false;
+        const auto v = [&](std::size_t i) { return mesh.from(loop[i]); };
+        if (mesh.has_face_on(v(0), v(1), v(2), v(3)) || !collect_region(mesh, loop, faces) || !is_flat(mesh, faces)) return false;
         const auto p = [&](std::size_t i) -> const Point& { return mesh.position(mesh.from(loop[i])); };
         const double q = scaled_jacobian(p(0), p(1), p(2), p(3), doubled_area_vector(mesh, faces));
         if (q < kFolded) return false;

@@ -25,6 +25,7 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
     for (const HalfEdge side : loop) {
         if (!side.is_valid() || !mesh.face(side).is_valid()) return {};
     }
+    if (mesh.has_face_on(a, b, c, d)) return {};
     static thread_local std::vector<Face> faces;
     if (!collect_region(mesh, loop, faces)) return {};
     const Eigen::Vector3d normal = doubled_area_vector(mesh, faces);

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "quality/repair_report.h"
+
 namespace anisoquad {
 
 /// Distribution of one measure over the quads.
@@ -80,6 +82,7 @@ struct Report {
     double regular_percent = 0.0;                 ///< interior nodes with four edges
     double hausdorff = 0.0;           ///< largest distance between mesh and input surface, both ways
     double hausdorff_relative = 0.0;  ///< over the diagonal of the bounding box
+    RepairReport repair;              ///< what was changed before anything else; the counts above are of the mended surface
     std::vector<StageTime> times;
     std::vector<std::string> warnings;
 };

@@ -1,5 +1,6 @@
 #include "smoothing/star.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ using Eigen::Vector3d;
 constexpr double kLeastCornerArea = 0.1;
 /// Cosine between a face and the normal of its star below which the star counts as curved.
 constexpr double kFlat = 0.7;
+/// Smallest mean square of the normals' part along any direction where the surface is a tip rather than a fold.
+constexpr double kTip = 0.15;
 /// Least cosine between a face of a curved star and the surface's normal.
 constexpr double kUpright = 0.25;
 
@@ -50,6 +53,7 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     see_along(normal_);
     is_curved_ = false;
     upright_ = 0.0;
+    is_on_fold_ = false;
     for (int i = 0; i < size_; ++i) {
         const Vector3d area = area_vector(wedges_[static_cast<std::size_t>(i)]);
         is_curved_ = is_curved_ || area.dot(normal_) < kFlat * area.norm();
@@ -68,6 +72,21 @@ void Star::see_along_surface(const ReferenceSurface& reference) {
         hint = closest.facet;
         if (hint >= 0) w.up = closest.normal;
     }
+    if (quality(centre_).worst > 0.0) find_fold();
+}
+
+/// The direction in which all faces lie: the eigenvector of the normals' covariance with the smallest eigenvalue.
+void Star::find_fold() {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < size_; ++i) {
+        const Vector3d n = area_vector(wedges_[static_cast<std::size_t>(i)]).stableNormalized();
+        covariance += n * n.transpose();
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(covariance / size_);
+    is_on_fold_ = true;
+    const bool is_tip = solver.eigenvalues()[0] > kTip;
+    fold_axis_ = is_tip ? Vector3d(Vector3d::Zero()) : Vector3d(solver.eigenvectors().col(0));
 }
 
 void Star::see_along(const Vector3d& normal) {

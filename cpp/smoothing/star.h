@@ -33,6 +33,12 @@ class Star {
     /// Where the surface turns strongly round the node, one normal can't tell which faces are turned over: every face is then seen
     /// along the reference surface's normal at its middle. Elsewhere nothing changes.
     void see_along_surface(const ReferenceSurface& reference);
+    /// True where the surface is folded round the node, and the node can only slide along the fold, if at all: off it the mesh
+    /// would draw back from the fold, which no distance of the mesh from the surface tells. Known after see_along_surface().
+    bool is_on_fold() const { return is_on_fold_; }
+    /// The step without its part across the fold.
+    Eigen::Vector3d along_fold(const Eigen::Vector3d& step) const { return step.dot(fold_axis_) * fold_axis_; }
+
     /// Every face is seen from the side that it shows now (round a node on a sharp line).
     void use_face_normals();
 
@@ -63,6 +69,7 @@ class Star {
         bool quad;
     };
     Eigen::Vector3d area_vector(const Wedge& wedge) const;
+    void find_fold();
     /// @param ratio receives longest over shortest edge of a quad, 1 for a triangle
     double quality(const Wedge& wedge, const Point& p, double& ratio) const;
 
@@ -73,6 +80,8 @@ class Star {
     double edge_length_ = 0.0;
     std::int32_t patch_ = -1;
     double upright_ = 0.0;    ///< least cosine between a face and the side that it is seen from
+    bool is_on_fold_ = false;
+    Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
     bool is_curved_ = false;  ///< some face is turned far from the normal
 };
 

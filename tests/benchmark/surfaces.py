@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SURFACES = Path(os.environ.get("ANISOQUAD_SURFACES", ROOT.parent / "shared" / "data"))
 JUDGE = Path(os.environ.get("ANISOQUAD_JUDGE", ROOT.parent / "shared" / "evaluate.py"))
 PEERS = Path(__file__).with_name("peers.csv")
-TIME_LIMIT = 200  # seconds a surface
+TIME_LIMIT = 900  # seconds a surface
 
 AIRCRAFT_DISTANCE = 2e-3  # Hausdorff distance over the diagonal that is allowed, where a surface has a leading edge
 OTHER_DISTANCE = 4e-3

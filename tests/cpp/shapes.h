@@ -20,11 +20,8 @@ struct Shape {
 
     /// Two triangles of the quad a, b, c, d; `flipped` takes the other diagonal.
     void add_quad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, bool flipped = false) {
-        if (flipped) {
-            triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
-        } else {
-            triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
-        }
+        triangles.push_back({a, b, flipped ? d : c});
+        triangles.push_back({flipped ? b : a, c, d});
     }
 };
 

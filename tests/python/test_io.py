@@ -68,12 +68,27 @@ class Read(Folder):
             "quads.obj": "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
             "counts.off": "OFF\n-1 2 3\n",
             "picture.jpg": "",
+            "huge_count.stl": b"\0" * 80 + b"\xff\xff\xff\xff" + b"\0" * 50,
+            "cut.stl": b"\0" * 80 + b"\x02\0\0\0" + b"\0" * 50,
+            "huge_count.ply": "ply\nformat binary_little_endian 1.0\nelement vertex 999999999999\nproperty float x\n"
+                              "property float y\nproperty float z\nelement face 1\n"
+                              "property list uchar int vertex_indices\nend_header\n",
+            "cut.ply": "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
+            "huge_id.obj": "v 0 0 0\nf 1 2 99999999999999999999\n",
         }
         for name, content in bad.items():
             with self.subTest(name), self.assertRaises(anisoquad.MeshError) as caught:
                 read_triangles(self.file(name, content))
             self.assertEqual(caught.exception.code, "unreadable_file")
             self.assertIn(name, str(caught.exception))
+
+
+    def test_ids_out_of_range_are_named_by_the_core(self):
+        for last in ("7", "-1", "4294967296"):
+            with self.subTest(last), self.assertRaises(anisoquad.MeshError) as caught:
+                anisoquad.quad_mesh(*read_triangles(self.file("a.off", OFF.replace("3 0 2 3", f"3 0 2 {last}"))))
+            self.assertEqual((caught.exception.code, caught.exception.ids), ("index_out_of_range", [1]))
 
 
 class Write(Folder):

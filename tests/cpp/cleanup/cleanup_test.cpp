@@ -117,6 +117,30 @@ TEST(Cleanup, DoubletIsDissolved) {
     expect_regular_again(mesh, 6, 6);
 }
 
+TEST(Cleanup, AQuadWithAFlatCornerOnALineIsRepaired) {
+    // Quad 0 has two edges on the straight lower side: node 1 lies flat between nodes 0 and 2.
+    const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 2, 0}};
+    SurfaceMesh mesh = shapes::quad_mesh(points, {{0, 1, 2, 3}, {3, 2, 4, 5}});
+    // The third side of the picture is a triangle 0 3 5 outside of the mesh: its edges are boundary.
+    ASSERT_LT(worst(mesh), 0.01);
+    const ReferenceSurface reference = shapes::plane(2.0, 2.0);
+    clean_up(mesh, reference);
+    EXPECT_EQ(shapes::defects(mesh), "");
+    EXPECT_GT(worst(mesh), 0.05);
+}
+
+TEST(Cleanup, AnInsetGivesEveryCornerOneQuadMore) {
+    SurfaceMesh mesh = shapes::quad_grid(1, 1);
+    std::vector<Proposal> proposals;
+    propose_inset(mesh, Face(0), proposals);
+    ASSERT_EQ(proposals.size(), 1U);
+    apply(mesh, proposals[0]);
+    EXPECT_EQ(mesh.face_count(), 5);
+    EXPECT_EQ(shapes::defects(mesh), "");
+    EXPECT_GT(worst(mesh), 0.5);
+    for (std::int32_t i = 0; i < 4; ++i) EXPECT_EQ(mesh.valence(Vertex(i)), 3);
+}
+
 TEST(Cleanup, PairsFarApartMeet) {
     // Two edges turned in opposite senses, some way apart: each leaves 3- and 5-valent nodes.
     SurfaceMesh mesh = shapes::quad_grid(12, 8);

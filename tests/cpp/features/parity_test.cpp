@@ -5,6 +5,7 @@
 #include "features/feature_lines.h"
 #include "features/patches.h"
 #include "mesh/euler_operators.h"
+#include "mesh/quad_chord.h"
 #include "mesh/validate.h"
 #include "shapes.h"
 
@@ -24,11 +25,11 @@ SurfaceMesh prepared(const shapes::Shape& shape, const std::vector<Source>& sour
 }
 
 /// Makes the mesh even and checks all that must hold, whatever the mesh.
-ParityResult expect_even(SurfaceMesh& mesh, const ParityOptions& options = {}) {
+ParityResult expect_even(SurfaceMesh& mesh) {
     const Topology before = topology(mesh);
     const std::int32_t odd = count_odd_components(mesh);
     const std::int32_t vertices = mesh.vertex_count();
-    const ParityResult result = make_parity_even(mesh, options);
+    const ParityResult result = make_parity_even(mesh);
     EXPECT_EQ(result.odd, odd);
     EXPECT_EQ(count_odd_components(mesh), static_cast<std::int32_t>(result.left.size()));
     EXPECT_TRUE(validate(mesh).empty());
@@ -80,30 +81,48 @@ TEST(Parity, OneSplitServesTwoPatchesThatShareACurve) {
 }
 
 TEST(Parity, SourcesAreSpared) {
-    for (const bool segmented : {false, true}) {
-        SurfaceMesh mesh = prepared(two_odd_halves(), {source({8, 9, 10, 11})});
-        const ParityResult result = expect_even(mesh, {.sources_are_segmented = segmented});
-        EXPECT_EQ(result.splits, 2);
-        for (const Vertex v : result.new_nodes) EXPECT_GT(std::abs(mesh.position(v).y() - 2.0), 0.1);
-    }
+    SurfaceMesh mesh = prepared(two_odd_halves(), {source({8, 9, 10, 11})});
+    const ParityResult result = expect_even(mesh);
+    EXPECT_EQ(result.splits, 2);
+    for (const Vertex v : result.new_nodes) EXPECT_GT(std::abs(mesh.position(v).y() - 2.0), 0.1);
 }
 
-TEST(Parity, ASourceIsSplitBeforeItIsSegmentedWhenNothingElseHelps) {
-    for (const bool segmented : {false, true}) {
-        const shapes::Shape shape = shapes::torus(24, 12);
-        std::vector<Source> rings;
-        for (const int j : {0, 6}) {
-            std::vector<std::int32_t> ring;
-            for (int i = 0; i <= 24; ++i) ring.push_back(j * 24 + i % 24);
-            rings.push_back(source(ring));
-        }
-        SurfaceMesh mesh = prepared(shape, rings);
-        const HalfEdge h = mesh.find_halfedge(Vertex(0), Vertex(1));
-        split_edge(mesh, M::edge(h), 0.5 * (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))));
-        const ParityResult result = expect_even(mesh, {.sources_are_segmented = segmented});
-        EXPECT_EQ(result.splits, segmented ? 0 : 1);
-        EXPECT_EQ(result.left.size(), segmented ? 2u : 0u);
+TEST(Parity, ASourceIsSplitWhenNothingElseHelps) {
+    const shapes::Shape shape = shapes::torus(24, 12);
+    std::vector<Source> rings;
+    for (const int j : {0, 6}) {
+        std::vector<std::int32_t> ring;
+        for (int i = 0; i <= 24; ++i) ring.push_back(j * 24 + i % 24);
+        rings.push_back(source(ring));
     }
+    SurfaceMesh mesh = prepared(shape, rings);
+    const HalfEdge h = mesh.find_halfedge(Vertex(0), Vertex(1));
+    split_edge(mesh, M::edge(h), 0.5 * (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))));
+    EXPECT_EQ(expect_even(mesh).splits, 1);
+}
+
+TEST(Parity, AColumnOfQuadsIsHalvedWhenItAloneJoinsTwoOddPatches) {
+    // Two rings of quads round a torus, and triangles between them.
+    SurfaceMesh mesh = prepared(shapes::torus(16, 12));
+    for (const std::int32_t row : {0, 6}) {
+        for (std::int32_t f = 32 * row; f < 32 * row + 32; f += 2) {
+            for (const HalfEdge h : mesh.halfedges(Face(f))) {
+                if (mesh.face(M::twin(h)) != Face(f + 1)) continue;
+                dissolve_edge(mesh, M::edge(h));
+                break;
+            }
+        }
+    }
+    ASSERT_EQ(count_odd_components(mesh), 0);
+    HalfEdge top = mesh.find_halfedge(Vertex(16), Vertex(17));
+    if (!mesh.is_triangle(mesh.face(top))) top = M::twin(top);
+    std::vector<Vertex> nodes;
+    split_chord(mesh, top, nodes);  // one edge more on either side
+    ASSERT_EQ(nodes.size(), 2u);
+    ASSERT_EQ(count_odd_components(mesh), 2);
+    EXPECT_EQ(make_parity_even(mesh).splits, 2);
+    EXPECT_EQ(count_odd_components(mesh), 0);
+    EXPECT_TRUE(validate(mesh).empty());
 }
 
 TEST(Parity, BoundaryLoopsOfAnAnnulusCountTogether) {
@@ -184,8 +203,7 @@ TEST(Parity, QuadsDoNotBelong) {
     EXPECT_LT(mesh.position(result.new_nodes[0]).y(), 1.0);  // beside a triangle, not a quad
 }
 
-TEST(Parity, WhatCannotBeEvenIsReported) {
-    // A triangle with quads all around it: its boundary is odd and there is nothing to split.
+TEST(Parity, ATriangleAmongQuadsIsJoinedToTheRestByChords) {
     SurfaceMesh mesh = prepared(shapes::sphere(24, 16));
     for (const HalfEdge side : mesh.halfedges(Face(100))) {
         const HalfEdge first = mesh.next(M::twin(side));
@@ -193,11 +211,12 @@ TEST(Parity, WhatCannotBeEvenIsReported) {
         ASSERT_TRUE(is_flip_ok(mesh, M::edge(h)));
         dissolve_edge(mesh, M::edge(h));
     }
-    const std::int32_t odd = count_odd_components(mesh);
-    ASSERT_GT(odd, 0);
-    const ParityResult result = expect_even(mesh);
-    EXPECT_EQ(result.splits, 0);
-    EXPECT_EQ(static_cast<std::int32_t>(result.left.size()), odd);
+    ASSERT_GT(count_odd_components(mesh), 0);
+    const ParityResult result = make_parity_even(mesh);
+    EXPECT_GT(result.splits, 0);
+    EXPECT_TRUE(result.left.empty());
+    EXPECT_EQ(count_odd_components(mesh), 0);
+    EXPECT_TRUE(validate(mesh).empty());
 }
 
 TEST(Parity, AnEdgeWithTheSamePatchOnBothSidesIsNoHelp) {

@@ -86,6 +86,12 @@ TEST(CheckInput, RejectsFacetsWithoutArea) {
     expect_rejected(shape, ErrorCode::degenerate_facets, ElementKind::facet, {facets, facets + 1, facets + 2});
 }
 
+TEST(CheckInput, RejectsFacetsThatAreAPointBesideTheModel) {
+    const Shape far = shapes::joined(shapes::grid(1, 1), shapes::placed(shapes::grid(1, 1), 1.0, {1e14, 0, 0}));
+    expect_rejected(far, ErrorCode::degenerate_facets, ElementKind::facet, {0, 1, 2, 3});
+    expect_valid(shapes::joined(shapes::grid(1, 1), shapes::placed(shapes::grid(1, 1), 1.0, {1e9, 0, 0})));
+}
+
 TEST(CheckInput, KeepsThinFacets) { expect_valid(shapes::grid(3, 3, 1.0, 1e-5)); }
 
 TEST(CheckInput, RejectsDuplicateFacets) {
