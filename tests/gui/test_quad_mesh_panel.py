@@ -99,6 +99,14 @@ class QuadMeshPanel(WindowTest):
         self.assertIn("'x'", form.findChild(object, "figures").text())
         self.assertTrue(FreeCADGui.Control.activeDialog())
 
+    def test_without_triangles_it_says_so(self):
+        quads = self.make_quad_mesh()
+        quads.Base = None
+        form = self.open(quads)
+        self.button("Apply").click()
+        wait()
+        self.assertIn("no triangle mesh is chosen", form.findChild(object, "figures").text())
+
     def test_stop_ends_meshing_and_keeps_the_mesh(self):
         quads = self.make_quad_mesh()
         before = self.nodes(quads)
