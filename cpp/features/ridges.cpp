@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr int kMostFacets = 200;        ///< crossed on the way to one side
 constexpr double kStraight = 0.5;       ///< least cosine between neighbouring edges of a ridge
 constexpr double kImbalance = 0.7;      ///< largest difference of the two sides' turns, over their sum
-constexpr double kGoingOn = 0.6;        ///< of the angle at which a ridge begins: where it may go on
+constexpr double kGoingOn = 0.35;       ///< of the angle at which a ridge begins: where it may go on
 constexpr double kLeastLength = 2.0;    ///< of a ridge over the width
 
 Vector3d area_vector(const SurfaceMesh& mesh, Face f) {
@@ -39,9 +39,9 @@ class RidgeFinder {
             if (measure(Edge(i))) seeds.push_back(Edge(i));
         }
         std::sort(seeds.begin(), seeds.end(), [&](Edge a, Edge b) {
-            const double x = fold(a).imbalance;
-            const double y = fold(b).imbalance;
-            return x != y ? x < y : a < b;
+            const double x = fold(a).turn * (1.0 - fold(a).imbalance);
+            const double y = fold(b).turn * (1.0 - fold(b).imbalance);
+            return x != y ? x > y : a < b;
         });
         for (const Edge e : seeds) grow(e);
         return std::move(ridges_);
@@ -51,6 +51,7 @@ class RidgeFinder {
     struct Fold {
         bool is_candidate = false;
         double imbalance = 1.0;
+        double turn = 0.0;
     };
     Fold& fold(Edge e) { return folds_[static_cast<std::size_t>(e.index())]; }
     const Point& at(Vertex v) const { return mesh_.position(v); }
@@ -70,6 +71,7 @@ class RidgeFinder {
         const double b = turn_about(normal_aside(M::twin(h)));
         const double turn = a + b;
         Fold& f = fold(e);
+        f.turn = turn;
         f.imbalance = turn > 0.0 ? std::abs(a - b) / turn : 1.0;
         const double angle = options_.angle * std::numbers::pi / 180.0;
         f.is_candidate = turn > kGoingOn * angle;
@@ -123,14 +125,11 @@ class RidgeFinder {
         double length = mesh_.length(seed);
         for (std::size_t i = 1; i < ahead.size(); ++i) length += mesh_.length(ahead[i]);
         for (std::size_t i = 1; i < back.size(); ++i) length += mesh_.length(back[i]);
-        const bool kept = length >= kLeastLength * options_.width;
-        if (kept) {
-            keep(ahead, 0);
-            keep(back, 1);
-        }
-        // Long or not, nothing else is begun in the same fold.
+        if (length < kLeastLength * options_.width) return;
+        keep(ahead, 0);
+        keep(back, 1);
         for (const auto* chain : {&ahead, &back}) {
-            for (const HalfEdge k : *chain) shut(k, kept);
+            for (const HalfEdge k : *chain) shut(k);
         }
     }
 
@@ -147,6 +146,7 @@ class RidgeFinder {
 
     void extend(std::vector<HalfEdge>& chain) {
         const Vertex start = mesh_.from(chain.front());
+        const double turn = fold(M::edge(chain.front())).turn;
         for (std::int32_t guard = 0; guard < mesh_.edge_slots(); ++guard) {
             const HalfEdge last = chain.back();
             const Vertex v = mesh_.to(last);
@@ -159,7 +159,8 @@ class RidgeFinder {
                 if (!f.is_candidate || out == M::twin(last)) continue;
                 const double cosine = along.dot((at(mesh_.to(out)) - at(v)).normalized());
                 if (cosine < kStraight) continue;
-                const double cost = f.imbalance + 0.5 * (1.0 - cosine);
+                // Along the fold the surface turns most; edges across it may look as balanced, but turn less.
+                const double cost = f.imbalance + 0.5 * (1.0 - cosine) + 0.5 * std::max(0.0, 1.0 - f.turn / turn);
                 if (cost >= best_cost || runs_into(chain, mesh_.to(out))) continue;
                 best_cost = cost;
                 best = out;
@@ -174,8 +175,8 @@ class RidgeFinder {
         return std::any_of(chain.begin() + 1, chain.end(), [&](HalfEdge h) { return mesh_.from(h) == v; });
     }
 
-    /// Marks the vertices within the width of an edge, and the fold's edges there if the edge is a ridge's.
-    void shut(HalfEdge h, bool is_ridge) {
+    /// Marks the vertices within the width of a ridge's edge, so that no other ridge begins there, and the fold's edges.
+    void shut(HalfEdge h) {
         std::vector<Vertex> queue{mesh_.from(h), mesh_.to(h)};
         ++now_;
         const auto reach = [&](Vertex v) {
@@ -193,7 +194,7 @@ class RidgeFinder {
                 const Vertex w = mesh_.to(out);
                 const double t = std::clamp((at(w) - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
                 if ((a + t * edge - at(w)).norm() > options_.width) continue;
-                if (is_ridge && fold(M::edge(out)).is_candidate) ridges_.in_fold[static_cast<std::size_t>(M::edge(out).index())] = 1;
+                if (fold(M::edge(out)).is_candidate) ridges_.in_fold[static_cast<std::size_t>(M::edge(out).index())] = 1;
                 if (reach(w)) queue.push_back(w);
             }
         }
