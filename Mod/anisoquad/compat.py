@@ -36,20 +36,25 @@ def translate(context, text):
 
 
 def button_box(*names):
-    """Standard buttons of a task panel, as getStandardButtons() has to return them: an int up to 0.21, a flag later."""
-    box = qt_widgets().QDialogButtonBox
-    buttons = box.StandardButton(0) if hasattr(box, "StandardButton") else 0
-    for name in names:
-        buttons = buttons | getattr(box, name)
+    """Standard buttons of a task panel, as getStandardButtons() has to return them: an int before FreeCAD 1.0, a flag later."""
     import FreeCAD
 
-    return int(buttons) if FreeCAD.Version()[0] == "0" else buttons
+    box = qt_widgets().QDialogButtonBox
+    buttons = getattr(box, names[0])
+    for name in names[1:]:
+        buttons = buttons | getattr(box, name)
+    return _number(buttons) if FreeCAD.Version()[0] == "0" else buttons
 
 
 def button_name(button):
     """Name of the standard button that a task panel's clicked() got, or an empty text."""
     box = qt_widgets().QDialogButtonBox
-    return next((name for name in ("Ok", "Apply", "Cancel", "Close") if int(getattr(box, name)) == int(button)), "")
+    return next((name for name in ("Ok", "Apply", "Cancel", "Close") if _number(getattr(box, name)) == _number(button)), "")
+
+
+def _number(flag):
+    """Flags of PySide6 are enumerations, older ones convert by themselves."""
+    return int(getattr(flag, "value", flag))
 
 
 def is_shape(obj):

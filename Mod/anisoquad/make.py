@@ -59,16 +59,18 @@ def make_source(doc, base, vertices=(), edges=None, passes=None, anisotropy=None
     return obj
 
 
-def make_triangles(doc, shape, deflection=0.0, name="Triangles"):
+def make_triangles(doc, shape, deflection=0.0, max_length=0.0, name="Triangles"):
     """Add the tessellation of a Part object to a document, as the base of a quad mesh.
 
     deflection -- largest distance of the triangles from the shape; 0: a thousandth of the shape's diagonal
+    max_length -- instead: triangles of good shape with edges up to this length, by Mefisto
     Returns the Mesh::FeaturePython.
     """
     obj = doc.addObject("Mesh::FeaturePython", name)
     TrianglesObject(obj)
     obj.Shape = shape
     obj.Deflection = deflection
+    obj.MaxLength = max_length
     return obj
 
 

@@ -5,12 +5,13 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "input/check.h"
 #include "picking/best_path.h"
 #include "picking/edge_on_ray.h"
 #include "picking/imprint.h"
 #include "picking/onto_surface.h"
-#include "picking/preview_rows.h"
 #include "picking/ridge.h"
+#include "picking/zigzag.h"
 
 namespace py = pybind11;
 
@@ -38,19 +39,6 @@ PickSurface make(const Points& points, const Triangles& triangles, double featur
     const auto triangles_of = triangle_span(triangles);
     const py::gil_scoped_release without_gil;
     return make_pick_surface(points_of, triangles_of, feature_angle, feature_edges);
-}
-
-/// (ends (2E,3) float64, pass (E,) int32)
-py::tuple row_edges(const Points& points, const Triangles& triangles, const std::vector<Source>& sources,
-                    const Options& options) {
-    const std::vector<RowEdge> edges = preview_rows(point_span(points), triangle_span(triangles), sources, options);
-    std::vector<Point> ends;
-    std::vector<std::int32_t> pass;
-    for (const RowEdge& edge : edges) {
-        ends.insert(ends.end(), edge.ends.begin(), edge.ends.end());
-        pass.push_back(edge.pass);
-    }
-    return py::make_tuple(to_array(std::move(ends)), to_array(std::move(pass)));
 }
 
 py::object edge_hit(const PickSurface& surface, const Point& origin, const Point& direction, double reach) {
@@ -98,12 +86,18 @@ void bind_picking(py::module_& module) {
         .def("whole_line", &whole_line, py::arg("start"), py::arg("end"), "Vertex ids of the line through a mesh edge")
         .def("suggest_lines", &suggest_lines, "Vertex ids of lines that look like leading and trailing edges")
         .def(
-            "is_zigzag", [](const PickSurface& surface, const Ids& path) { return is_zigzag(surface, path); }, py::arg("path"))
+            "is_zigzag",
+            [](const PickSurface& surface, const Ids& path) {
+                const Source source{path, {}, Sides::both};
+                check_sources(surface.mesh, std::span(&source, 1));
+                std::vector<Vertex> vertices;
+                for (const std::int32_t v : path) vertices.emplace_back(v);
+                return is_zigzag(surface.mesh, vertices);
+            },
+            py::arg("path"))
         .def("imprint", &imprinted, py::arg("path"), "(points, triangles, path, number of straightened pieces)")
         .def("onto_surface", &projected, py::arg("points"), py::arg("on_line"),
              "(N,3) points on the surface, or on its feature lines");
-    module.def("preview_rows", &row_edges, py::arg("points"), py::arg("triangles"), py::arg("sources"), py::arg("options"),
-               "(ends (2E,3), pass (E,)) of the edges of the rows that quad_mesh() would build");
 }
 
 }  // namespace anisoquad

@@ -10,6 +10,7 @@
 #include "input/check.h"
 #include "mesh/euler_operators.h"
 #include "picking/geodesic_path.h"
+#include "picking/zigzag.h"
 
 namespace anisoquad {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-constexpr double kTurn = 0.2;       ///< radians: turns of a zigzag
 constexpr double kTolerance = 2.5;  ///< mean edges: how far a straight stretch may be from the path; on a ridge a third of it
 constexpr double kSnap = 0.05;      ///< mean edges: a node so near to the straight line is on it
 constexpr double kShort = 0.6;      ///< mean edges: nodes on the path that follow nearer are merged
@@ -26,37 +26,6 @@ constexpr double kLong = 1.6;       ///< mean edges: longer edges of the path ar
 constexpr double kSameSide = 0.5;   ///< cosine: how far a triangle may turn when a node beside it goes
 constexpr double kFlat = 0.94;      ///< cosine: two triangles that may exchange their diagonal
 constexpr std::int32_t kPathLine = std::numeric_limits<std::int32_t>::max();
-
-double angle_between(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last) {
-    double sum = 0.0;
-    for (HalfEdge h = first; h != last; h = mesh.rotated_ccw(h)) {
-        if (mesh.is_boundary(h)) return std::numbers::pi;  // the end of the surface is not a turn
-        const Vector3d a = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
-        const Vector3d b = mesh.position(mesh.from(mesh.prev(h))) - mesh.position(mesh.from(h));
-        sum += std::atan2(a.cross(b).norm(), a.dot(b));
-    }
-    return sum;
-}
-
-/// Turn of the path at a node, positive to the left.
-double turn(const SurfaceMesh& mesh, Vertex before, Vertex at, Vertex after) {
-    const HalfEdge in = mesh.find_halfedge(at, before);
-    const HalfEdge out = mesh.find_halfedge(at, after);
-    return 0.5 * (angle_between(mesh, in, out) - angle_between(mesh, out, in));
-}
-
-bool zigzags(const SurfaceMesh& mesh, std::span<const Vertex> path) {
-    double last = 0.0;
-    int since = 0;
-    for (std::size_t i = 1; i + 1 < path.size(); ++i, ++since) {
-        const double here = turn(mesh, path[i - 1], path[i], path[i + 1]);
-        if (std::abs(here) < kTurn) continue;
-        if (here * last < 0.0 && since <= 3) return true;
-        last = here;
-        since = 0;
-    }
-    return false;
-}
 
 Vector3d doubled_area(const SurfaceMesh& mesh, Face f) {
     const HalfEdge h = mesh.halfedge(f);
@@ -81,7 +50,7 @@ class Imprinter {
     }
 
     ImprintResult run() {
-        if (zigzags(mesh_, path_)) {
+        if (is_zigzag(mesh_, path_)) {
             for (std::size_t i = 0; i + 1 < path_.size(); ++i) was_constrained_.push_back(mesh_.is_constrained(edge(i)));
             for (std::size_t i = 0; i + 1 < path_.size(); ++i) constrain(path_[i], path_[i + 1]);
             result_path_ = {path_.front()};
@@ -114,7 +83,7 @@ class Imprinter {
     /// The stretch of the path between two of its nodes: straight if that is near enough, else in two parts.
     void straighten(std::size_t first, std::size_t last) {
         const std::span<const Vertex> stretch(path_.data() + first, last - first + 1);
-        if (stretch.size() > 2 && zigzags(mesh_, stretch)) {
+        if (stretch.size() > 2 && is_zigzag(mesh_, stretch)) {
             const auto pieces = geodesic_path(mesh_, stretch);
             const auto [far, distance] =
                 pieces ? farthest(first, stretch, *pieces) : std::pair(stretch.size() / 2, spacing_ * kTolerance * 2.0);
@@ -369,22 +338,15 @@ class Imprinter {
     ImprintResult result_;
 };
 
-std::vector<Vertex> checked(const PickSurface& surface, std::span<const std::int32_t> path) {
+void check_path(const PickSurface& surface, std::span<const std::int32_t> path) {
     const Source source{{path.begin(), path.end()}, {}, Sides::both};
     check_sources(surface.mesh, std::span(&source, 1));
-    std::vector<Vertex> vertices;
-    for (const std::int32_t v : path) vertices.emplace_back(v);
-    return vertices;
 }
 
 }  // namespace
 
-bool is_zigzag(const PickSurface& surface, std::span<const std::int32_t> path) {
-    return zigzags(surface.mesh, checked(surface, path));
-}
-
 ImprintResult imprint(const PickSurface& surface, std::span<const std::int32_t> path) {
-    checked(surface, path);
+    check_path(surface, path);
     return Imprinter(surface, path).run();
 }
 

@@ -12,10 +12,6 @@ struct ImprintResult {
     std::int32_t pieces = 0;  ///< stretches that were straightened; 0: nothing was changed
 };
 
-/// True when the path turns left and right in turn, as a path over an unstructured triangulation does.
-/// @param path neighbours joined by mesh edges
-bool is_zigzag(const PickSurface& surface, std::span<const std::int32_t> path);
-
 /// Straightens the zigzags of a path into the triangles: each becomes a geodesic between vertices of the path that is nowhere
 /// farther from it than a mean edge, and is then made of new edges (splits), with the nodes too near to it taken away
 /// (collapses) and the triangles beside it improved (flips). Feature lines and the edges of the surface that are constrained

@@ -11,6 +11,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parent))
 
 RADIUS, CHORD, THICKNESS = 600.0, 1500.0, 0.14  # mm; thickness over chord
+DEFLECTION = 0.3  # mm, of the triangles from the shape
 
 
 def shape():
@@ -41,13 +42,12 @@ def lip(nacelle):
 def make(doc):
     """Add shape, triangles, source and quad mesh to a document. Returns the quad mesh object, not yet recomputed."""
     import anisoquad
-    from swept_wing import options
 
     nacelle = doc.addObject("Part::Feature", "Nacelle")
     nacelle.Shape = shape()
-    triangles = anisoquad.make_triangles(doc, nacelle)
+    triangles = anisoquad.make_triangles(doc, nacelle, deflection=DEFLECTION)
     source = anisoquad.make_source(doc, triangles, edges=(nacelle, [lip(nacelle.Shape)]), anisotropy=4, name="Lip")
-    return anisoquad.make_quad_mesh(doc, base=triangles, sources=[source], options=options())
+    return anisoquad.make_quad_mesh(doc, base=triangles, sources=[source])
 
 
 if __name__ == "__main__" or sys.argv[-1].endswith("nacelle.py"):

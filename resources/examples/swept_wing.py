@@ -12,6 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(Path(__file__).resolve().parent))
 OUT = ROOT / "build" / "examples"
 SPAN, SWEEP, ROOT_CHORD, TIP_CHORD, THICKNESS = 2000.0, 1000.0, 1000.0, 500.0, 0.12  # mm; thickness over chord
+SIZE = 40.0  # mm; edges of the triangles, which are those of the quads
 
 
 def section(chord, x, y):
@@ -47,16 +48,9 @@ def make(doc):
 
     wing = doc.addObject("Part::Feature", "SweptWing")
     wing.Shape = Part.makeLoft([section(ROOT_CHORD, 0.0, 0.0), section(TIP_CHORD, SWEEP, SPAN)], True)
-    triangles = anisoquad.make_triangles(doc, wing)
+    triangles = anisoquad.make_triangles(doc, wing, max_length=SIZE)
     source = anisoquad.make_source(doc, triangles, edges=(wing, [leading_edge(wing.Shape)]), anisotropy=8, name="LeadingEdge")
-    return anisoquad.make_quad_mesh(doc, base=triangles, sources=[source], options=options())
-
-
-def options():
-    """Triangles of a CAD tessellation are too long and thin for quads: remesh them first."""
-    import anisoquad
-
-    return anisoquad.Options(**({"prepare": True} if "prepare" in anisoquad.Options.fields else {}))
+    return anisoquad.make_quad_mesh(doc, base=triangles, sources=[source], options=anisoquad.Options(prepare=False))
 
 
 def main(make_in, name):

@@ -9,6 +9,7 @@ import FreeCAD
 from documents import DocumentTest, square
 
 import anisoquad
+from anisoquad.objects.mesh_job import MeshJob
 
 LOWER_EDGE = [0, 1, 2, 3, 4, 5, 6]
 
@@ -102,6 +103,23 @@ class Object(DocumentTest):
         obj.Base = self.base
         self.doc.recompute()
         self.assert_filled(obj)
+
+    def test_sizes_per_vertex_are_kept(self):
+        options = anisoquad.Options(vertex_size=[1.0] * self.base.Mesh.CountPoints)
+        obj = self.make(options=options)
+        self.assert_filled(obj)
+        self.assertEqual(obj.VertexSize, options.vertex_size)
+
+    def test_the_preview_shows_the_rows_that_are_built(self):
+        obj = self.make(sources=[LOWER_EDGE], passes=[(2, 2)])
+        job = MeshJob.of(obj)
+        ends, pass_ = job.preview()
+        mesh = job.run().mesh
+        quads = mesh.quads[mesh.row > 0]
+        edges = {tuple(sorted(pair)) for quad in quads.tolist() for pair in zip(quad, quad[1:] + quad[:1])}
+        self.assertEqual(len(ends), len(edges))
+        self.assertEqual(set(pass_.tolist()), {1})
+        self.assertAlmostEqual(ends[:, :, 1].min(), 0.0)
 
     def test_sources_with_passes_of_their_own(self):
         sources = [anisoquad.Source(LOWER_EDGE, passes=[(3, 1)], sides="left"), [42, 43, 44, 45, 46, 47, 48]]

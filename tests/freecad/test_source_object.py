@@ -137,6 +137,14 @@ class PartShape(DocumentTest):
         self.assertNotEqual(height, self.triangles.Mesh.BoundBox.ZLength)
         self.assertTrue(self.triangles.Mesh.isSolid())
 
+    def test_a_largest_edge_gives_well_shaped_triangles(self):
+        self.triangles.MaxLength = 1.0
+        self.doc.recompute()
+        points, facets = self.triangles.Mesh.Topology
+        edges = [points[a].distanceToPoint(points[b]) for f in facets for a, b in ((f[0], f[1]), (f[1], f[2]), (f[2], f[0]))]
+        self.assertLess(max(edges), 2.5)
+        self.assertTrue(self.triangles.Mesh.isSolid())
+
     def test_edges_of_the_shape_are_a_source(self):
         name = next(f"Edge{index + 1}" for index, edge in enumerate(self.tube.Shape.Edges) if isinstance(edge.Curve, Part.Circle))
         source = anisoquad.make_source(self.doc, self.triangles, edges=(self.tube, [name]), anisotropy=2)

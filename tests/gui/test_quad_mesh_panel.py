@@ -45,7 +45,7 @@ class QuadMeshPanel(WindowTest):
         self.assertEqual(table.item(0, 2).text(), str(len(self.leading_edge) - 1))
         before = self.pixels_like((232, 89, 64))
         form.findChild(object, "preview").click()
-        wait()
+        self.assertTrue(wait(lambda: not form.findChild(object, "cancel").isEnabled(), 30))
         self.assertGreater(self.pixels_like((232, 89, 64)), before + 500)
         self.screenshot("panel")
 
@@ -98,6 +98,14 @@ class QuadMeshPanel(WindowTest):
         self.button("OK").click()
         self.assertIn("'x'", form.findChild(object, "figures").text())
         self.assertTrue(FreeCADGui.Control.activeDialog())
+
+    def test_without_triangles_it_says_so(self):
+        quads = self.make_quad_mesh()
+        quads.Base = None
+        form = self.open(quads)
+        self.button("Apply").click()
+        wait()
+        self.assertIn("no triangle mesh is chosen", form.findChild(object, "figures").text())
 
     def test_stop_ends_meshing_and_keeps_the_mesh(self):
         quads = self.make_quad_mesh()

@@ -109,8 +109,6 @@ class WindowTest(unittest.TestCase):
             kind = QtCore.QEvent.MouseButtonDblClick if time_ else QtCore.QEvent.MouseButtonPress
             self.mouse(kind, place, modifiers=modifiers)
             self.mouse(QtCore.QEvent.MouseButtonRelease, place, modifiers=modifiers)
-        if times == 1:  # the next click is not the second of a double click
-            wait(seconds=qt_widgets().QApplication.doubleClickInterval() / 1000.0 + 0.05)
 
     def key(self, key):
         viewport = self.view.graphicsView().viewport()

@@ -68,6 +68,18 @@ class MeshJob:
             quadratic = second_order(mesh, points, triangles, self.options.feature_angle, lines)
         return MeshRun(mesh, quadratic, self.key)
 
+    def preview(self, progress=None):
+        """(ends (E,2,3), pass (E,)) of the edges of the rows that run() would build: the same without what follows the fill."""
+        points, triangles, sources = self.straightened()
+        options = Options(**{name: getattr(self.options, name) for name in Options.fields})
+        options.cleanup, options.smoothing_passes = False, 0
+        mesh = quad_mesh(points, triangles, sources, options, progress)
+        in_row = mesh.row > 0
+        quads, pass_ = mesh.quads[in_row], mesh.pass_[in_row]
+        ends = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
+        edges, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)
+        return mesh.points[edges], np.repeat(pass_, 4)[first]
+
     def straightened(self):
         """(points, triangles, sources) with the sources imprinted that are to be."""
         points, triangles, sources = self.points, self.triangles, list(self.sources)

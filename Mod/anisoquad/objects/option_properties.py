@@ -9,7 +9,9 @@ from . import properties
 # Options that are for tests and pictures, not for documents.
 _NOT_PROPERTIES = ("validate", "record_stages")
 
-_TYPE_OF = {bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat", list: "App::PropertyIntegerList"}
+_TYPE_OF = {bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat"}
+_TYPE_OF_LIST = {"feature_edges": "App::PropertyIntegerList", "vertex_size": "App::PropertyFloatList"}
+_PAIRS = ("feature_edges",)
 
 
 def option_fields():
@@ -27,7 +29,8 @@ def add_options(obj):
     defaults = Options()
     for field, doc in option_fields().items():
         default = getattr(defaults, field)
-        if properties.add(obj, _TYPE_OF[type(default)], property_name(field), "Options", doc) and default:
+        type_ = _TYPE_OF_LIST.get(field) or _TYPE_OF[type(default)]
+        if properties.add(obj, type_, property_name(field), "Options", doc) and default:
             setattr(obj, property_name(field), default)
 
 
@@ -35,16 +38,15 @@ def set_options(obj, options):
     """Keep an anisoquad.Options in the properties."""
     for field in option_fields():
         value = getattr(options, field)
-        setattr(obj, property_name(field), list(chain.from_iterable(value)) if isinstance(value, list) else value)
+        setattr(obj, property_name(field), list(chain.from_iterable(value)) if field in _PAIRS else value)
 
 
 def options_of(obj):
     """The anisoquad.Options that the properties hold. Raises MeshError for feature edges that are not pairs."""
-    defaults = Options()
     values = {}
     for field in option_fields():
         value = getattr(obj, property_name(field))
-        if isinstance(getattr(defaults, field), list):
+        if field in _PAIRS:
             if len(value) % 2:
                 raise MeshError(f"{property_name(field)}: point ids come in pairs.", code="invalid_feature_edge")
             value = list(zip(value[::2], value[1::2]))

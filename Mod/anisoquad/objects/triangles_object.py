@@ -22,6 +22,8 @@ class TrianglesObject(properties.SavedByProperties):
         """Add what is missing."""
         properties.add(obj, "App::PropertyLink", "Shape", "Triangles", "The Part object")
         properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape; 0: a thousandth of its diagonal")
+        properties.add(obj, "App::PropertyLength", "MaxLength", "Triangles",
+                       "Largest edge of well-shaped triangles (Mefisto) instead; 0: as large as deflection and angle allow")
         if properties.add(obj, "App::PropertyAngle", "Angle", "Triangles", "Largest angle between the normals of neighbours"):
             obj.Angle = 15.0
         if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
@@ -35,6 +37,9 @@ class TrianglesObject(properties.SavedByProperties):
         if obj.Shape is None or not hasattr(obj.Shape, "Shape") or obj.Shape.Shape.isNull():
             raise MeshError("Shape: no Part object is chosen.", code="empty_mesh")
         shape = obj.Shape.Shape
+        if obj.MaxLength.Value > 0.0:
+            obj.Mesh = MeshPart.meshFromShape(Shape=shape, MaxLength=obj.MaxLength.Value)
+            return
         deflection = obj.Deflection.Value or _DEFLECTION * shape.BoundBox.DiagonalLength
         obj.Mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=deflection,
                                           AngularDeflection=obj.Angle.getValueAs("rad").Value, Relative=False)

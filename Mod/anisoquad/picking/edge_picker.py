@@ -1,15 +1,12 @@
 """Mouse and keyboard in the 3D view, turned into picks of mesh edges."""
 
-from time import monotonic
-
 from pivy import coin
 
-from ..compat import qt_widgets
 from ..viewproviders.line_node import LineNode
+from .double_click import DoubleClick
 
 _HOVER_COLOUR = (1.0, 0.8, 0.0)
 _PATH_COLOUR = (0.80, 0.0, 0.0)
-_SAME_PLACE = 4  # pixels between the two presses of a double click
 _REACH = 6  # pixels from the mouse within which feature lines, and edges beside the outline, are meant
 
 
@@ -28,7 +25,7 @@ class EdgePicker:
         self._on_leave = on_leave
         self._hover = LineNode(_HOVER_COLOUR, 6)
         self._line = LineNode(_PATH_COLOUR, 4)
-        self._last_press = (0.0, None)
+        self._double_click = DoubleClick(view)
         self._hovered = None
         view.getSceneGraph().addChild(self._line.root)
         view.getSceneGraph().addChild(self._hover.root)
@@ -47,6 +44,7 @@ class EdgePicker:
         for kind, callback in self._callbacks:
             self._view.removeEventCallbackPivy(kind, callback)
         self._callbacks = []
+        self._double_click.stop()
         scene = self._view.getSceneGraph()
         for node in (self._line.root, self._hover.root):
             if scene.findChild(node) >= 0:
@@ -77,8 +75,7 @@ class EdgePicker:
         event = callback.getEvent()
         if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
             return
-        position = event.getPosition().getValue()
-        hit = self.edge_at(position)
+        hit = self.edge_at(event.getPosition().getValue())
         if hit is None:
             return
         callback.setHandled()
@@ -86,21 +83,13 @@ class EdgePicker:
             return
         if event.wasCtrlDown():
             self._path.remove(hit.edge)
-        elif self._is_double(position):
+        elif self._double_click.take():
             self._path.take_back()  # what the first of the two presses did
             self._path.take_line(hit.edge)
         else:
             self._path.click(hit.edge)
         self.draw()
         self._on_change()
-
-    def _is_double(self, position):
-        time, place = self._last_press
-        now = monotonic()
-        near = place is not None and max(abs(a - b) for a, b in zip(place, position)) <= _SAME_PLACE
-        double = near and now - time < qt_widgets().QApplication.doubleClickInterval() / 1000.0
-        self._last_press = (0.0, None) if double else (now, tuple(position))
-        return double
 
     def _typed(self, callback):
         event = callback.getEvent()

@@ -18,7 +18,10 @@ class Highlight:
         self._scene.addChild(self._node.root)
 
     def show(self, error, base):
-        """Mark what a MeshError names, on the mesh object that it is about."""
+        """Mark what a MeshError names, on the mesh object that it is about; nothing where it names nothing."""
+        if error.kind == "none" or base is None:
+            self.clear()
+            return
         points, triangles = convert.mesh_to_arrays(base.Mesh, global_placement(base))
         ids = np.array(error.ids, int)
         limit = len(triangles) if error.kind == "facet" else len(points)
@@ -29,11 +32,9 @@ class Highlight:
         elif error.kind == "edge":
             pairs = ids[: len(ids) // 2 * 2].reshape(-1, 2)
             self._node.show([[tuple(place[v]) for v in pair] for pair in pairs])
-        elif error.kind == "facet":
+        else:
             corners = [[tuple(place[v]) for v in triangles[f]] for f in ids]
             self._node.show([[*facet, facet[0]] for facet in corners], facets=corners)
-        else:
-            self.clear()
 
     def show_line(self, points):
         """Mark a line of points."""

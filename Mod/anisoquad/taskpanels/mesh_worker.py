@@ -8,13 +8,14 @@ _POLL = 40  # milliseconds
 
 
 class MeshWorker:
-    """Runs one MeshJob on a thread of its own, and tells the GUI's thread how it goes.
+    """Runs one task on a thread of its own, and tells the GUI's thread how it goes.
 
-    on_progress(stage, fraction), on_done(run), on_error(exception) -- called on the GUI's thread
+    task(progress) -- MeshJob.run or the like
+    on_progress(stage, fraction), on_done(result), on_error(exception) -- called on the GUI's thread
     """
 
-    def __init__(self, job, on_progress, on_done, on_error):
-        self._job = job
+    def __init__(self, task, on_progress, on_done, on_error):
+        self._task = task
         self._on_progress = on_progress
         self._on_done = on_done
         self._on_error = on_error
@@ -38,13 +39,9 @@ class MeshWorker:
         self.cancel()
         self._timer.stop()
 
-    @property
-    def running(self):
-        return self._outcome is None
-
     def _run(self):
         try:
-            self._outcome = (self._on_done, self._job.run(self._progress))
+            self._outcome = (self._on_done, self._task(self._progress))
         except Exception as error:  # whatever it is, the GUI's thread has to know
             self._outcome = (self._on_error, error)
 

@@ -106,8 +106,12 @@ class QuadMeshPanel:
         return self.obj.Quads > 0 and "Touched" not in self.obj.State and not any("Touched" in s.State for s in self.obj.Sources)
 
     def _start(self):
-        self.highlight.clear()
         self.form.preview.setChecked(False)
+        self._run(MeshJob.run, self._done)
+
+    def _run(self, task, done):
+        """Begin a task of the object's MeshJob; done(result) follows."""
+        self.highlight.clear()
         try:
             for source in self.obj.Sources:
                 source.recompute()
@@ -117,7 +121,7 @@ class QuadMeshPanel:
             return
         self.form.figures.setText(translate("QuadMeshPanel", "Meshing…"))
         self.form.cancel.setEnabled(True)
-        self.worker = MeshWorker(job, self._show_progress, self._done, self._fail)
+        self.worker = MeshWorker(lambda progress: task(job, progress), self._show_progress, done, self._fail)
         self.worker.start()
 
     def _stop(self):
@@ -128,12 +132,15 @@ class QuadMeshPanel:
         self.form.progress.setValue(int(1000 * fraction))
         self.form.progress.setFormat(f"{stage} %p %" if stage else "%p %")
 
-    def _done(self, run):
+    def _stopped(self):
         self.worker = None
+        self.form.cancel.setEnabled(False)
+
+    def _done(self, run):
+        self._stopped()
         self.obj.Proxy.keep(run)
         self.obj.touch()
         record("FreeCAD.ActiveDocument.recompute()")
-        self.form.cancel.setEnabled(False)
         self.form.progress.setValue(1000)
         self.form.figures.setText(figures_text(self.obj))
         self.sources.fill(self.obj.Sources)
@@ -144,9 +151,9 @@ class QuadMeshPanel:
 
     def _fail(self, error):
         """Say what is wrong, and show where; the old mesh stays."""
-        self.worker = None
+        self._stopped()
         self._close_when_done = False
-        self.form.cancel.setEnabled(False)
+        self.form.preview.setChecked(False)
         self.form.progress.setValue(0)
         if isinstance(error, Cancelled):
             self.form.figures.setText(translate("QuadMeshPanel", "Stopped. The old mesh was kept."))
@@ -183,13 +190,16 @@ class QuadMeshPanel:
 
     def _preview_rows(self, on):
         self.preview.clear()
-        if not on:
-            return
-        try:
-            if self._write():
-                self.preview.show(self.obj)
-        except MeshError as error:
-            self._fail(error)
+        if on and self.worker is None and self._write():
+            self._run(MeshJob.preview, self._show_rows)
+
+    def _show_rows(self, rows):
+        self._stopped()
+        self.form.figures.setText(figures_text(self.obj))
+        self.preview.show(*rows)
+        if self._close_when_done:  # OK was pressed meanwhile
+            self._close_when_done = False
+            self.accept()
 
     def _show_selected(self):
         source = self.sources.selected()

@@ -12,12 +12,6 @@
 namespace anisoquad {
 namespace {
 
-std::vector<Vertex> vertices(const std::vector<std::int32_t>& path) {
-    std::vector<Vertex> result;
-    for (const std::int32_t v : path) result.emplace_back(v);
-    return result;
-}
-
 std::vector<Point> polyline(const SurfaceMesh& mesh, const std::vector<GeodesicPiece>& pieces) {
     std::vector<Point> line{mesh.position(pieces.front().from)};
     for (const GeodesicPiece& piece : pieces) {
@@ -60,7 +54,7 @@ TEST(GeodesicPath, IsTheStraightLineOnAPlane) {
     const PickSurface surface = shapes::pick_surface(shapes::unstructured(16));
     for (const auto& [from, to] : {std::pair(5 * 17 + 2, 11 * 17 + 14), std::pair(8 * 17 + 1, 8 * 17 + 15), std::pair(40, 200)}) {
         const std::vector<std::int32_t> path = best_path(surface, from, to);
-        const auto pieces = geodesic_path(surface.mesh, vertices(path));
+        const auto pieces = geodesic_path(surface.mesh, shapes::vertices(path));
         ASSERT_TRUE(pieces);
         const std::vector<Point> line = polyline(surface.mesh, *pieces);
         const Point& a = surface.points[static_cast<std::size_t>(from)];
@@ -76,7 +70,7 @@ TEST(GeodesicPath, UnrollsTheCylinder) {
     const shapes::Shape shape = shapes::cylinder(n, 12, 1.0, 4.0);
     const PickSurface surface = shapes::pick_surface(shape);
     const std::vector<std::int32_t> path = best_path(surface, 2 * n + 1, 10 * n + 8);
-    const auto pieces = geodesic_path(surface.mesh, vertices(path));
+    const auto pieces = geodesic_path(surface.mesh, shapes::vertices(path));
     ASSERT_TRUE(pieces);
     const double across = 7.0 * 2.0 * std::sin(std::numbers::pi / n);
     EXPECT_NEAR(length(polyline(surface.mesh, *pieces)), std::hypot(across, 8.0 * 4.0 / 12.0), 1e-6);
@@ -86,7 +80,7 @@ TEST(GeodesicPath, IsNeverLongerOnACurvedSurface) {
     const shapes::Shape shape = shapes::sphere(30, 20);
     const PickSurface surface = shapes::pick_surface(shape);
     const std::vector<std::int32_t> path = best_path(surface, 5 * 30 + 2, 13 * 30 + 14);
-    const auto pieces = geodesic_path(surface.mesh, vertices(path));
+    const auto pieces = geodesic_path(surface.mesh, shapes::vertices(path));
     ASSERT_TRUE(pieces);
     const double shortened = length(polyline(surface.mesh, *pieces));
     EXPECT_LT(shortened, shapes::length(surface.points, path));
@@ -98,7 +92,7 @@ TEST(GeodesicPath, IsNeverLongerOnACurvedSurface) {
 TEST(GeodesicPath, AStraightPathStaysAMeshPath) {
     const PickSurface surface = shapes::pick_surface(shapes::grid(12, 10));
     const std::vector<std::int32_t> path = best_path(surface, 5 * 13 + 2, 5 * 13 + 9);
-    const auto pieces = geodesic_path(surface.mesh, vertices(path));
+    const auto pieces = geodesic_path(surface.mesh, shapes::vertices(path));
     ASSERT_TRUE(pieces);
     EXPECT_EQ(pieces->size(), path.size() - 1);
     for (const GeodesicPiece& piece : *pieces) EXPECT_TRUE(piece.crossings.empty());

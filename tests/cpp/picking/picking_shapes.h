@@ -52,6 +52,12 @@ inline Shape ridge(int nx, int ny, double height, double width) {
     return shape;
 }
 
+inline std::vector<Vertex> vertices(const std::vector<std::int32_t>& path) {
+    std::vector<Vertex> result;
+    for (const std::int32_t v : path) result.emplace_back(v);
+    return result;
+}
+
 inline double length(const std::vector<Point>& points, const std::vector<std::int32_t>& path) {
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
