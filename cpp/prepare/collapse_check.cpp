@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 
 constexpr double kLeastShape = 0.1;    ///< of a triangle after a collapse, where the worst before was not poorer still
 constexpr double kLongestEdge = 1.45;  ///< over the wanted edge
+constexpr double kSliver = 0.1;        ///< shape below which a triangle's own normal is not looked at
 constexpr double kLeastCosine = 0.3;   ///< between a triangle before and after the collapse, if it was no sliver
 
 Vector3d area_vector(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
@@ -51,8 +52,10 @@ bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& r
     const Point& old = mesh.position(gone);
     const Point& place = mesh.position(kept);
     double worst = 1.0;
+    Vector3d normal = Vector3d::Zero();
     for (const HalfEdge out : mesh.outgoing(gone)) {
         if (mesh.is_boundary(out)) continue;
+        normal += area_vector(old, mesh.position(mesh.to(out)), mesh.position(mesh.to(mesh.next(out))));
         worst = std::min(worst, triangle_shape(old, mesh.position(mesh.to(out)), mesh.position(mesh.to(mesh.next(out)))));
     }
     for (const HalfEdge out : mesh.outgoing(gone)) {
@@ -69,7 +72,9 @@ bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& r
         if (shape < std::min(kLeastShape, worst)) return false;
         const Vector3d before = area_vector(old, p, q);
         const Vector3d after = area_vector(place, p, q);
-        if (!(after.dot(before) > kLeastCosine * after.norm() * before.norm())) return false;
+        // Slivers do not tell which way the surface faces.
+        const bool is_sliver = triangle_shape(old, p, q) < kSliver;
+        if (is_sliver ? !(after.dot(normal) > 0.0) : !(after.dot(before) > kLeastCosine * after.norm() * before.norm())) return false;
     }
     return stays_on_surface(mesh, h, reference, deviation);
 }
