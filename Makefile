@@ -8,20 +8,27 @@ CMAKE_FLAGS ?=
 PACKAGES = g++ cmake libeigen3-dev pybind11-dev libgtest-dev libbenchmark-dev \
            python3 python3-dev python3-numpy python3-meshio python3-matplotlib python3-pivy freecad freecad-python3 \
            xvfb xauth libgl1-mesa-dri calculix-ccx qttools5-dev-tools
+# Of the fuzz target only.
+FUZZ_PACKAGES = clang libclang-rt-14-dev
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
 # Where `make install-addon` links the workbench: FreeCAD's own folder for add-ons.
 ADDONS     ?= $(shell $(FREECADCMD) -c "import FreeCAD; print('addons=' + FreeCAD.getUserAppDataDir() + 'Mod')" </dev/null 2>/dev/null \
                 | sed -n 's/.*addons=//p')
 
-.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format
+.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format fuzz-build fuzz fuzz-short
 
-deps:
-	@if dpkg-query -W -f='$${db:Status-Status} ' $(PACKAGES) 2>/dev/null | tr ' ' '\n' | grep -c '^installed$$' \
-	    | grep -qx $(words $(PACKAGES)); then echo "deps: all installed"; else \
+# Installs packages that are not there yet: $(call install,packages)
+define install
+	@if dpkg-query -W -f='$${db:Status-Status} ' $(1) 2>/dev/null | tr ' ' '\n' | grep -c '^installed$$' \
+	    | grep -qx $(words $(1)); then echo "deps: all installed"; else \
 	    export DEBIAN_FRONTEND=noninteractive; \
 	    $(SUDO) apt-get update -q && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y \
-	        --no-install-recommends $(PACKAGES) </dev/null; fi
+	        --no-install-recommends $(1) </dev/null; fi
+endef
+
+deps:
+	$(call install,$(PACKAGES))
 
 build:
 	cmake --preset release $(CMAKE_FLAGS)
@@ -47,13 +54,31 @@ demo: deps build
 
 test: deps build
 	ctest --preset release --parallel $(JOBS)
-	$(MAKE) --no-print-directory test-core test-python test-freecad test-gui
+	$(MAKE) --no-print-directory test-core test-python test-freecad test-gui fuzz-short
 
 # The core's tests again, with assertions and validate() after every stage.
 test-core:
 	cmake --preset debug $(CMAKE_FLAGS)
 	cmake --build --preset debug --parallel $(JOBS)
 	ctest --preset debug --parallel $(JOBS)
+
+fuzz-build:
+	$(call install,$(FUZZ_PACKAGES))
+	cmake --preset fuzz $(CMAKE_FLAGS)
+	cmake --build --preset fuzz --parallel $(JOBS)
+
+# Hours: crashes are kept in build/fuzz, the corpus that grows too. FUZZ_SECONDS=3600 ends it.
+FUZZ_SECONDS ?= 28800
+fuzz: fuzz-build
+	mkdir -p build/fuzz/corpus
+	cd build/fuzz && tests/fuzz/anisoquad_fuzz -fork=$(JOBS) -ignore_crashes=1 -max_len=200 -timeout=300 -rss_limit_mb=4096 \
+	    -max_total_time=$(FUZZ_SECONDS) corpus $(CURDIR)/tests/data/fuzz
+
+# Two minutes from the corpus in tests/data/fuzz, of which every surface that once failed is part.
+fuzz-short: fuzz-build
+	mkdir -p build/fuzz/short
+	cd build/fuzz && tests/fuzz/anisoquad_fuzz -max_len=200 -timeout=300 -rss_limit_mb=4096 -max_total_time=120 -print_final_stats=1 \
+	    short $(CURDIR)/tests/data/fuzz
 
 test-python:
 	PYTHONPATH=Mod PYTHONDONTWRITEBYTECODE=1 $(PYTHON) -m unittest discover -s tests/python -p 'test_*.py'

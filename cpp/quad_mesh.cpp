@@ -56,7 +56,8 @@ struct Frame {
 /// The stages of one run, in order.
 class Pipeline {
   public:
-    Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options, Context& context)
+    Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
+             Context& context)
         : points_(points), triangles_(triangles), sources_(sources), options_(options), context_(context) {}
 
     QuadMeshResult run() {
@@ -82,7 +83,8 @@ class Pipeline {
 
         begin("prepare", 0.05, 0.1);
         std::vector<Source> sources(sources_.begin(), sources_.end());
-        const bool remeshed = prepare(sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold});
+        const bool remeshed =
+            prepare(sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold});
         end();
         if (remeshed) snapshot("prepare", frame);
 
@@ -95,7 +97,8 @@ class Pipeline {
         report().parity_splits = refine_small_patches(mesh_);
         const ParityResult parity = make_parity_even(mesh_);
         report().parity_splits += parity.splits;
-        if (!parity.left.empty()) warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
+        if (!parity.left.empty())
+            warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
         end();
 
         begin("fill", 0.26, 0.7);
@@ -171,9 +174,11 @@ class Pipeline {
             why += "; " + std::to_string(prepared.poor) + " of them have triangles too long and thin for quads (" +
                    std::to_string(prepared.poor_triangles) + " triangles)";
         }
-        if (prepared.graded > 0) why += "; in " + std::to_string(prepared.graded) + " of them the triangles' size changes too fast";
+        if (prepared.graded > 0)
+            why += "; in " + std::to_string(prepared.graded) + " of them the triangles' size changes too fast";
         warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.triangles_before) +
-             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + std::to_string(prepared.size) + why);
+             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + std::to_string(prepared.size) +
+             why);
         return true;
     }
 
@@ -283,8 +288,8 @@ QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles,
 
 }  // namespace
 
-QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
-                         Context& context) {
+QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources,
+                         const Options& options, Context& context) {
     if (options.repair) return mesh_repaired(points, triangles, sources, options, context);
     return Pipeline(points, triangles, sources, options, context).run();
 }

@@ -13,6 +13,7 @@ namespace {
 
 using M = SurfaceMesh;
 
+constexpr int kMostEdges = 16;          ///< of a node that is optimised: the hub of a fan would cost more than all else together
 constexpr int kMeanSweeps = 10;         ///< plain averaging of the new nodes, which untangles convex outlines
 constexpr int kSweeps = 3;              ///< guarded
 constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node's place is optimised
@@ -87,7 +88,8 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
         return false;
     }
     // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
-    if (before.worst < kUseless && after.worst > before.worst + kUseless) return after.aspect <= std::max(before.aspect, kAnyAspect);
+    if (before.worst < kUseless && after.worst > before.worst + kUseless)
+        return after.aspect <= std::max(before.aspect, kAnyAspect);
     if (before.worst < kBad && after.worst > before.worst + kRepaired) {
         return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     }
@@ -118,7 +120,8 @@ void Trial::smooth(const Region& region) {
     const auto improve = [&](Vertex v, bool last) {
         if (!is_movable(mesh_, v)) return;
         if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, &reference_, nullptr, kPoor);
-        if (last && worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor) optimise_node(mesh_, v, &reference_);
+        if (last && mesh_.valence(v) <= kMostEdges && worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor)
+            optimise_node(mesh_, v, &reference_);
     };
     for (int i = 0; i < kSweeps; ++i) {
         for (const Vertex v : region.inner) improve(v, i + 1 == kSweeps);
@@ -130,7 +133,8 @@ bool Trial::attempt(Region& region, const Replacement& replacement, const Demand
     if (!editor_.find_outline(region) || !editor_.is_possible(region, replacement)) return false;
     if (gain(region, replacement) < demands.gain) return false;
     const auto quads = static_cast<double>(region.faces.size());
-    if (std::abs(static_cast<double>(replacement.quads.size()) - quads) > demands.count_change + kCountChange * quads) return false;
+    if (std::abs(static_cast<double>(replacement.quads.size()) - quads) > demands.count_change + kCountChange * quads)
+        return false;
     gather_neighbourhood(region, faces_);
     const Quality before = quality(faces_);
     const Replacement back = editor_.current(region);

@@ -34,10 +34,10 @@ class Order(unittest.TestCase):
             report = mesh(other_points, other_triangles, None if line is None else new_id[line].tolist())
             self.assertEqual(report["patches"], first["patches"])
             self.assertEqual(report["feature_lines"], first["feature_lines"])
-            self.assertAlmostEqual(report["quads"] / first["quads"], 1.0, delta=0.05)
+            self.assertAlmostEqual(report["quads"] / first["quads"], 1.0, delta=0.15)
             self.assertAlmostEqual(report["scaled_jacobian"]["mean"], first["scaled_jacobian"]["mean"], delta=0.02)
             self.assertAlmostEqual(report["scaled_jacobian"]["p5"], first["scaled_jacobian"]["p5"], delta=0.08)
-            self.assertAlmostEqual(report["regular_percent"], first["regular_percent"], delta=6.0)
+            self.assertAlmostEqual(report["regular_percent"], first["regular_percent"], delta=10.0)
             self.assertEqual({(p["side"], p["pass"]): p["rows"] for p in report["passes"]},
                              {(p["side"], p["pass"]): p["rows"] for p in first["passes"]})
 

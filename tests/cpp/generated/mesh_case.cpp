@@ -1,5 +1,6 @@
 #include "generated/mesh_case.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <sstream>
@@ -68,6 +69,19 @@ void add_feature_edges(MeshCase& result, const SurfaceMesh& mesh, ByteSource& so
     }
 }
 
+/// Squares as small as the lowest triangle is high that would cover the surface: what remeshing comes to at worst.
+double most_squares(const shapes::Shape& shape) {
+    double area = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& t : shape.triangles) {
+        const auto p = [&](std::size_t k) -> const Point& { return shape.points[static_cast<std::size_t>(t[k])]; };
+        const double doubled = (p(1) - p(0)).cross(p(2) - p(0)).norm();
+        least = std::min(least, doubled / std::max({(p(1) - p(0)).norm(), (p(2) - p(1)).norm(), (p(0) - p(2)).norm()}));
+        area += 0.5 * doubled;
+    }
+    return area / (least * least);
+}
+
 bool passes_checks(const MeshCase& c) {
     try {
         check_options(c.options);
@@ -97,6 +111,8 @@ MeshCase make_case(ByteSource& source, bool may_be_bad) {
     const bool spoilt = may_be_bad && source.one_in(2);
 
     result.shape = make_surface(source);
+    // A long thin strip is remeshed to squares of its width: right, but no test of some hundred triangles any more.
+    if (options.prepare && most_squares(result.shape) > 300.0) options.prepare = false;
     if (!result.shape.triangles.empty()) {
         const SurfaceMesh mesh = result.shape.mesh();
         add_sources(result, mesh, source);

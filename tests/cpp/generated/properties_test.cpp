@@ -14,11 +14,11 @@ namespace anisoquad::generated {
 namespace {
 
 #ifdef ANISOQUAD_VALIDATE
-constexpr unsigned kCases = 12;  // a shard: builds with assertions are slow
+constexpr unsigned kCases = 3;  // a shard: builds with assertions are slow
 #else
-constexpr unsigned kCases = 150;
+constexpr unsigned kCases = 100;
 #endif
-constexpr int kShards = 20;
+constexpr int kShards = 10;
 constexpr double kMostSeconds = 30.0;  // of processor time for one surface of some hundred triangles: far beyond what any needs
 
 std::vector<std::uint8_t> random_bytes(unsigned seed) {
@@ -44,7 +44,8 @@ TEST_P(Generated, SurfacesAreValid) {
     for_cases([](const std::vector<std::uint8_t>& bytes) {
         ByteSource source(bytes);
         const shapes::Shape shape = make_surface(source);
-        if (!shape.triangles.empty()) EXPECT_NO_THROW(check_input(shape.points, shape.triangles));
+        if (shape.triangles.empty()) return;
+        EXPECT_NO_THROW(check_input(shape.points, shape.triangles));
     });
 }
 
