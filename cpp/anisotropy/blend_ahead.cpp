@@ -11,7 +11,7 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kFallOff = 0.8;  // of the raised size per unit of way
+constexpr double kFallOff = 0.64;  // of the raised size per unit of way
 constexpr double kGrowth = 0.5;   // of the size away from lines, whose nodes are fixed
 
 struct Raised {

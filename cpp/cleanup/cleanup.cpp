@@ -16,6 +16,8 @@ namespace {
 constexpr int kRounds = 4;                ///< in which regions grow from all nodes round which something changed
 constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular node: none takes forever on a hopeless mesh
 constexpr std::size_t kLeastTries = 500;
+constexpr std::size_t kWorkPerQuad = 60;  ///< quads that are judged in all tries together, per quad of the mesh
+constexpr std::size_t kLeastWork = 5000;
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
@@ -39,6 +41,7 @@ class Cleaner {
 
     std::int32_t run() {
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) push(Vertex(i));
+        most_work_ = kLeastWork + kWorkPerQuad * static_cast<std::size_t>(mesh_.face_count());
         most_tries_ = kLeastTries + kTriesPerNode * queue_.size();
         work_off();
         for (int round = 0; round < kRounds && grow_regions(); ++round) context_.report((round + 1.0) / (kRounds + 1.0));
@@ -49,7 +52,7 @@ class Cleaner {
   private:
     bool is_in_use(Vertex v) const { return !mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid(); }
     bool is_irregular(Vertex v) const { return is_in_use(v) && trial_.sectors().cost(mesh_, v) > 0; }
-    bool may_try() const { return trial_.tries() < most_tries_; }
+    bool may_try() const { return trial_.tries() < most_tries_ && trial_.work() < most_work_; }
 
     void push(Vertex v) {
         const auto i = static_cast<std::size_t>(v.index());
@@ -183,6 +186,7 @@ class Cleaner {
     std::vector<std::int32_t> changed_;  ///< per node: number of the last operation near it
     std::int32_t last_round_ = 0;        ///< number of the operation before the last round
     std::size_t most_tries_ = 0;
+    std::size_t most_work_ = 0;
     std::vector<Proposal> proposals_;
     std::vector<std::size_t> order_;  ///< of those that gain enough, best first
     std::int32_t operations_ = 0;

@@ -144,6 +144,7 @@ bool Trial::attempt(Region& region, const Replacement& replacement, const Demand
         places_.push_back({v, {mesh_.position(v), mesh_.info(v)}});
     }
     ++tries_;
+    work_ += faces_.size();
     editor_.replace(region, replacement);
     smooth(region);
     gather_neighbourhood(region, faces_);

@@ -30,6 +30,8 @@ class Trial {
 
     /// Number of replacements that were made, also those taken back.
     std::size_t tries() const { return tries_; }
+    /// Number of quads that they were judged by, all together: the work done.
+    std::size_t work() const { return work_; }
     const Sectors& sectors() const { return sectors_; }
     RegionEditor& editor() { return editor_; }
     const SurfaceMesh& mesh() const { return mesh_; }
@@ -53,6 +55,7 @@ class Trial {
     RegionEditor editor_;
     Marks marks_;
     std::size_t tries_ = 0;
+    std::size_t work_ = 0;
     std::vector<Face> faces_;
     std::vector<std::pair<Vertex, Replacement::Node>> places_;  ///< of nodes that smoothing may move, from before
 };

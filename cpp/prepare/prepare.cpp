@@ -24,6 +24,8 @@ constexpr double kRidgeSagitta = 2e-4;  ///< of the edges of ridges
 constexpr double kSagitta = 4e-4;      ///< of edges off the surface, over the model's diagonal
 constexpr double kSagittaAsked = 0.1;  ///< the same over the wanted size, where one is asked for
 constexpr double kUncovered = 1.25;    ///< bound for the surface's points off the triangles, over that of the triangles off the surface
+constexpr double kMostTriangles = 6.0;   ///< that may be made of one, where no size is asked for
+constexpr double kFewTriangles = 2000.0;  ///< that may be made in any case
 constexpr double kAlongSource = 2.0;    ///< wanted length of merged edges over the largest size
 constexpr double kMostRefinement = 8.0;  ///< of the edges along a source
 constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wanted spread the remeshing to the patch behind them
@@ -86,8 +88,15 @@ class Prepare {
         options.sagitta = sagitta_;
         options.growth = options_.growth;
         options.in_fold = input_.in_fold;
-        result_.size = range_.largest * input_.unit;
         SizeField field(input_.points, input_.triangles, input_.reference, options);
+        if (!is_asked(options_)) {
+            // A size of our own choice must not make a mesh far larger than the input.
+            const double most = kMostTriangles * static_cast<double>(input_.triangles.size()) + kFewTriangles;
+            const double factor = field.coarsen_to(most, input_.points, input_.triangles);
+            range_.largest *= factor;
+            range_.smallest *= factor;
+        }
+        result_.size = range_.largest * input_.unit;
         refine_at_sources(field, range_.largest);
         return field;
     }

@@ -47,6 +47,19 @@ void SizeField::limit(std::int32_t facet, double size) {
     kept = std::min(kept, std::max(size, options_.smallest));
 }
 
+double SizeField::coarsen_to(double triangles, std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets) {
+    double wanted = 0.0;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const auto p = [&](std::size_t k) -> const Point& { return points[static_cast<std::size_t>(facets[f][k])]; };
+        wanted += (p(1) - p(0)).cross(p(2) - p(0)).norm() / (facet_size_[f] * facet_size_[f]);
+    }
+    const double factor = std::sqrt(std::max(1.0, wanted / triangles));
+    for (double& size : facet_size_) size *= factor;
+    options_.largest *= factor;
+    options_.smallest *= factor;
+    return factor;
+}
+
 void SizeField::limit_by_curvature(const SurfaceMesh& mesh) {
     const double angle = options_.curvature_angle * std::numbers::pi / 180.0;
     for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {

@@ -30,7 +30,8 @@ class SizeField {
 
     /// Bounds the size of one facet from above.
     void limit(std::int32_t facet, double size);
-    double facet_size(std::int32_t facet) const { return facet_size_[static_cast<std::size_t>(facet)]; }
+    /// Makes all sizes larger where squares of them would take more than so many triangles. @returns the factor, at least 1
+    double coarsen_to(double triangles, std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets);
 
     /// Writes VertexInfo::size of all nodes of the mesh: the field at the node, then bounded growth along the mesh's edges.
     /// @param hint per vertex slot, facets near the nodes; kept up to date, may be empty at first
