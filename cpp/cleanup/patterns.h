@@ -32,8 +32,8 @@ void propose_hexagon(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& o
 /// Opens v along two of its edges: v becomes two nodes and a new quad lies between (the inverse of the collapse).
 void propose_vertex_split(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out);
 
-/// A smaller quad inside the quad, joined to it by four: every corner gets one quad more. A way out for a corner that lies flat on
-/// a line, where no quad alone can be better than degenerate.
+/// The quad, or it and a neighbour, once more inside of its outline, joined to it by a ring of quads: every corner gets one quad
+/// more. A way out for a corner that lies flat on a line, where no quad alone can be better than degenerate.
 void propose_inset(const SurfaceMesh& mesh, Face f, std::vector<Proposal>& out);
 
 }  // namespace anisoquad

@@ -141,6 +141,17 @@ TEST(Cleanup, AnInsetGivesEveryCornerOneQuadMore) {
     for (std::int32_t i = 0; i < 4; ++i) EXPECT_EQ(mesh.valence(Vertex(i)), 3);
 }
 
+TEST(Cleanup, AnInsetOfTwoQuadsHasARingOfSix) {
+    SurfaceMesh mesh = shapes::quad_grid(2, 1);
+    std::vector<Proposal> proposals;
+    propose_inset(mesh, Face(0), proposals);
+    ASSERT_EQ(proposals.size(), 2U);
+    apply(mesh, proposals[1]);
+    EXPECT_EQ(mesh.face_count(), 8);
+    EXPECT_EQ(shapes::defects(mesh), "");
+    EXPECT_GT(worst(mesh), 0.3);
+}
+
 TEST(Cleanup, PairsFarApartMeet) {
     // Two edges turned in opposite senses, some way apart: each leaves 3- and 5-valent nodes.
     SurfaceMesh mesh = shapes::quad_grid(12, 8);
