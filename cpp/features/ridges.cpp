@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/area_vector.h"
+
 namespace anisoquad {
 namespace {
 
@@ -16,12 +18,6 @@ constexpr double kStraight = 0.5;       ///< least cosine between neighbouring e
 constexpr double kImbalance = 0.7;      ///< largest difference of the two sides' turns, over their sum
 constexpr double kGoingOn = 0.35;       ///< of the angle at which a ridge begins: where it may go on
 constexpr double kLeastLength = 2.0;    ///< of a ridge over the width
-
-Vector3d area_vector(const SurfaceMesh& mesh, Face f) {
-    const HalfEdge h = mesh.halfedge(f);
-    const Point& a = mesh.position(mesh.from(h));
-    return (mesh.position(mesh.to(h)) - a).cross(mesh.position(mesh.from(mesh.prev(h))) - a);
-}
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -61,8 +57,8 @@ class RidgeFinder {
         if (mesh_.is_deleted(e) || mesh_.is_constrained(e)) return false;
         const HalfEdge h = M::halfedge(e);
         if (patches_[static_cast<std::size_t>(mesh_.info(mesh_.face(h)).patch)] == 0) return false;
-        const Vector3d left = area_vector(mesh_, mesh_.face(h)).normalized();
-        const Vector3d right = area_vector(mesh_, mesh_.face(M::twin(h))).normalized();
+        const Vector3d left = doubled_area_vector(mesh_, mesh_.face(h)).normalized();
+        const Vector3d right = doubled_area_vector(mesh_, mesh_.face(M::twin(h))).normalized();
         const Vector3d n = (left + right).normalized();
         const Vector3d along = (at(mesh_.to(h)) - at(mesh_.from(h))).normalized();
         // Only the turn about the edge counts: that is what folds the surface along it.
@@ -82,7 +78,7 @@ class RidgeFinder {
     Vector3d normal_aside(HalfEdge h) const {
         Point p = 0.5 * (at(mesh_.from(h)) + at(mesh_.to(h)));
         double left = 0.5 * options_.width;
-        Vector3d normal = area_vector(mesh_, mesh_.face(h)).normalized();
+        Vector3d normal = doubled_area_vector(mesh_, mesh_.face(h)).normalized();
         Vector3d along = (at(mesh_.to(h)) - at(mesh_.from(h))).normalized();
         Vector3d direction = normal.cross(along);
         for (int step = 0; step < kMostFacets; ++step) {
@@ -106,7 +102,7 @@ class RidgeFinder {
             const double forward = direction.dot(along);
             const double across = std::sqrt(std::max(0.0, 1.0 - forward * forward));
             h = M::twin(out);
-            const Vector3d next = area_vector(mesh_, mesh_.face(h));
+            const Vector3d next = doubled_area_vector(mesh_, mesh_.face(h));
             if (!(next.norm() > 0.0)) return normal;
             normal = next.normalized();
             // On this side the edge runs the other way: inward is normal × (−along).

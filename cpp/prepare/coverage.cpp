@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/area_vector.h"
 #include "surface/closest_on_triangle.h"
 
 namespace anisoquad {
@@ -20,10 +21,7 @@ Coverage::Triangle corners(const SurfaceMesh& mesh, Face f) {
     return {mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))};
 }
 
-Vector3d unit_normal(const SurfaceMesh& mesh, Face f) {
-    const auto [a, b, c] = corners(mesh, f);
-    return (b - a).cross(c - a).normalized();
-}
+Vector3d unit_normal(const SurfaceMesh& mesh, Face f) { return doubled_area_vector(mesh, f).normalized(); }
 
 double distance2(const Point& p, const Coverage::Triangle& t) { return (closest_on_triangle(p, t[0], t[1], t[2]) - p).squaredNorm(); }
 
@@ -86,6 +84,14 @@ bool Coverage::is_covered_by(std::span<const Triangle> triangles) const {
         if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle& t) { return distance2(p, t) <= bound2; })) return false;
     }
     return true;
+}
+
+bool Coverage::is_covered_round(const SurfaceMesh& mesh, Vertex v) {
+    triangles_.clear();
+    for (const HalfEdge h : mesh.outgoing(v)) {
+        if (!mesh.is_boundary(h)) triangles_.push_back({mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))});
+    }
+    return is_covered_by(triangles_);
 }
 
 void Coverage::drop(const SurfaceMesh& mesh, Vertex v) {

@@ -24,6 +24,8 @@ class Coverage {
     void lift(const SurfaceMesh& mesh, Edge e);
     /// True if all points taken out are within the bound of one of the triangles, or no farther than they were.
     bool is_covered_by(std::span<const Triangle> triangles) const;
+    /// The same for the triangles round a node, where they are now.
+    bool is_covered_round(const SurfaceMesh& mesh, Vertex v);
     /// Gives the points taken out to the closest of the triangles round a node, or beside an edge.
     void drop(const SurfaceMesh& mesh, Vertex v);
     void drop(const SurfaceMesh& mesh, Edge e);
@@ -40,6 +42,7 @@ class Coverage {
     std::vector<std::int32_t> lifted_;
     std::vector<double> lifted_distance2_;  ///< of those, from the triangle they were taken from
     std::vector<Face> faces_;
+    std::vector<Triangle> triangles_;
 };
 
 }  // namespace anisoquad

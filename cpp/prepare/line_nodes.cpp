@@ -135,7 +135,7 @@ class Redistribution {
         if (options_.coverage) options_.coverage->lift(mesh_, v);
         mesh_.position(v) = p;
         mesh_.info(v).input = -1;
-        const bool covered = is_covered(v);
+        const bool covered = !options_.coverage || options_.coverage->is_covered_round(mesh_, v);
         if (!covered) {
             mesh_.position(v) = kept;
             mesh_.info(v).input = input;
@@ -144,22 +144,11 @@ class Redistribution {
         return covered;
     }
 
-    bool is_covered(Vertex v) {
-        if (!options_.coverage) return true;
-        triangles_.clear();
-        for (const HalfEdge h : mesh_.outgoing(v)) {
-            if (mesh_.is_boundary(h)) continue;
-            triangles_.push_back({mesh_.position(v), mesh_.position(mesh_.to(h)), mesh_.position(mesh_.to(mesh_.next(h)))});
-        }
-        return options_.coverage->is_covered_by(triangles_);
-    }
-
     SurfaceMesh& mesh_;
     LineNodes& line_;
     const ReferenceLines& reference_;
     const ReferenceSurface& surface_;
     const LineOptions& options_;
-    std::vector<Coverage::Triangle> triangles_;
     std::int32_t changes_ = 0;
 };
 

@@ -32,6 +32,10 @@ constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wa
 
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
 
+bool is_to_remesh(const PatchAssessment& patch, const Options& options) {
+    return is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded));
+}
+
 class Prepare {
   public:
     Prepare(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources, const Options& options, Context& context)
@@ -64,13 +68,12 @@ class Prepare {
 
   private:
     void choose_patches() {
-        chosen_ = patches_to_remesh(mesh_, options_);
-        const std::vector<PatchAssessment> patches = assess_patches(mesh_);
-        for (std::size_t p = 0; p < patches.size(); ++p) {
-            if (!chosen_[p]) continue;
-            result_.poor += patches[p].is_poor;
-            result_.graded += patches[p].is_graded && !patches[p].is_poor;
-            result_.poor_triangles += patches[p].poor;
+        for (const PatchAssessment& patch : assess_patches(mesh_)) {
+            chosen_.push_back(is_to_remesh(patch, options_) ? 1 : 0);
+            if (!chosen_.back()) continue;
+            result_.poor += patch.is_poor;
+            result_.graded += patch.is_graded && !patch.is_poor;
+            result_.poor_triangles += patch.poor;
         }
     }
 
@@ -210,9 +213,7 @@ class Prepare {
 
 std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options) {
     std::vector<char> chosen;
-    for (const PatchAssessment& patch : assess_patches(mesh)) {
-        chosen.push_back(is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded)) ? 1 : 0);
-    }
+    for (const PatchAssessment& patch : assess_patches(mesh)) chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
     return chosen;
 }
 

@@ -119,7 +119,7 @@ class Remesh {
             const std::int32_t input = mesh_.info(v).input;
             if (options_.coverage) options_.coverage->lift(mesh_, v);
             const bool moved = move_node(mesh_, v, target, &reference_, &hint);
-            if (moved && !is_covered(v)) {
+            if (moved && options_.coverage && !options_.coverage->is_covered_round(mesh_, v)) {
                 mesh_.position(v) = kept;
                 mesh_.info(v).input = input;
             } else {
@@ -129,19 +129,11 @@ class Remesh {
         }
     }
 
-    bool is_covered(Vertex v) {
-        if (!options_.coverage) return true;
-        triangles_.clear();
-        for (const HalfEdge h : mesh_.outgoing(v)) triangles_.push_back({at(v), at(mesh_.to(h)), at(mesh_.to(mesh_.next(h)))});
-        return options_.coverage->is_covered_by(triangles_);
-    }
-
     SurfaceMesh& mesh_;
     std::vector<char>& zone_;
     const ReferenceSurface& reference_;
     const RemeshOptions& options_;
     double deviation_;
-    std::vector<Coverage::Triangle> triangles_;
     RemeshResult result_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "mesh/euler_operators.h"
 #include "mesh/flip_check.h"
-#include "qmorph/area_vector.h"
+#include "mesh/area_vector.h"
 #include "smoothing/move_node.h"
 
 namespace anisoquad {

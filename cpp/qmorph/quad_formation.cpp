@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/euler_operators.h"
-#include "qmorph/area_vector.h"
+#include "mesh/area_vector.h"
 #include "quality/metrics.h"
 #include "smoothing/front_node.h"
 #include "smoothing/laplacian.h"
