@@ -1,9 +1,8 @@
 """How a quad mesh is shown."""
 
-import FreeCADGui
-
 from ..objects.properties import SavedByProperties
 from ..resources import icon
+from .edited_in_panel import EditedInPanel
 
 
 def attach(obj):
@@ -12,7 +11,7 @@ def attach(obj):
         QuadMeshViewProvider(obj.ViewObject)
 
 
-class QuadMeshViewProvider(SavedByProperties):
+class QuadMeshViewProvider(EditedInPanel, SavedByProperties):
     """Proxy of a FemGui::ViewProviderFemMeshPython."""
 
     def __init__(self, view):
@@ -31,20 +30,7 @@ class QuadMeshViewProvider(SavedByProperties):
     def getIcon(self):
         return icon("anisoquad")
 
-    def doubleClicked(self, view):
-        FreeCADGui.ActiveDocument.setEdit(view.Object.Name)
-        return True
-
-    def setEdit(self, view, mode):
+    def make_panel(self, obj):
         from ..taskpanels.quad_mesh_panel import QuadMeshPanel
 
-        if mode != 0:
-            return None
-        FreeCADGui.Control.showDialog(QuadMeshPanel(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode):
-        if mode != 0:
-            return None
-        FreeCADGui.Control.closeDialog()
-        return True
+        return QuadMeshPanel(obj)

@@ -1,10 +1,9 @@
 """How a source is shown: its line, over the model."""
 
-import FreeCADGui
-
 from .. import preferences
 from ..objects.properties import SavedByProperties
 from ..resources import icon
+from .edited_in_panel import EditedInPanel
 from .line_node import LineNode
 
 COLOUR = (0.80, 0.0, 0.0)
@@ -16,7 +15,7 @@ def attach(obj):
         SourceViewProvider(obj.ViewObject)
 
 
-class SourceViewProvider(SavedByProperties):
+class SourceViewProvider(EditedInPanel, SavedByProperties):
     """Proxy of a Gui::ViewProviderPythonFeature."""
 
     def __init__(self, view):
@@ -41,20 +40,7 @@ class SourceViewProvider(SavedByProperties):
     def getIcon(self):
         return icon("source")
 
-    def doubleClicked(self, view):
-        FreeCADGui.ActiveDocument.setEdit(view.Object.Name)
-        return True
-
-    def setEdit(self, view, mode):
+    def make_panel(self, obj):
         from ..taskpanels.source_panel import SourcePanel
 
-        if mode != 0:
-            return None
-        FreeCADGui.Control.showDialog(SourcePanel(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode):
-        if mode != 0:
-            return None
-        FreeCADGui.Control.closeDialog()
-        return True
+        return SourcePanel(obj)
