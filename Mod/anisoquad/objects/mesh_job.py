@@ -1,28 +1,19 @@
 """One run of the mesher, apart from the document: made of an object's properties, run anywhere, also off the GUI's thread."""
 
 import zlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
-from .. import convert
-from ..compat import global_placement
 from ..errors import MeshError
 from ..meshing import Options, quad_mesh
-from ..quad_mesh_result import QuadMesh
-from ..second_order import SecondOrder, second_order
+from ..second_order import second_order
 from ..surface_lines import imprint
+from .base_mesh import base_arrays
+from .mesh_run import MeshRun
 from .option_properties import options_of
 from .source_object import source_of
-
-
-@dataclass(frozen=True)
-class MeshRun:
-    """What a job gives: the quad mesh, its second-order form (None for first order), and the key of the job that made it."""
-
-    mesh: QuadMesh
-    second_order: SecondOrder
-    key: str
 
 
 class MeshJob:
@@ -43,13 +34,12 @@ class MeshJob:
     @classmethod
     def of(cls, obj):
         """The job of a quad mesh object. Raises MeshError when its properties can not be read."""
-        mesh = base_mesh(obj)
-        points, triangles = convert.mesh_to_arrays(mesh, global_placement(obj.Base))
+        points, triangles = base_arrays(checked_base(obj))
         sources = [source_of(source, obj.Base) for source in obj.Sources]
         imprinted = [source.Imprint for source in obj.Sources]
         return cls(points, triangles, sources, imprinted, options_of(obj), 2 if obj.ElementOrder == "2nd" else 1)
 
-    @property
+    @cached_property
     def key(self):
         """Text that differs when anything that the result depends on does."""
         settings = [(name, getattr(self.options, name)) for name in Options.fields]
@@ -67,6 +57,12 @@ class MeshJob:
             lines = [source.vertices for source in sources] + [list(edge) for edge in self.options.feature_edges]
             quadratic = second_order(mesh, points, triangles, self.options.feature_angle, lines)
         return MeshRun(mesh, quadratic, self.key)
+
+    def run_for_document(self, progress=None):
+        """The same, and all that the document will ask of the run: for another thread than the GUI's, which it would stop."""
+        run = self.run(progress)
+        run.prepare(self)
+        return run
 
     def preview(self, progress=None):
         """(ends (E,2,3), pass (E,)) of the edges of the rows that run() would build: the same without what follows the fill."""
@@ -93,10 +89,10 @@ class MeshJob:
         return points, triangles, sources
 
 
-def base_mesh(obj):
-    """The Mesh.Mesh of the object's base. Raises MeshError when there is none."""
+def checked_base(obj):
+    """The mesh object that is the object's base. Raises MeshError when there is none."""
     if obj.Base is None:
         raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
     if not obj.Base.isDerivedFrom("Mesh::Feature"):
         raise MeshError(f"Base: {obj.Base.Label} is not a mesh.", code="empty_mesh")
-    return obj.Base.Mesh
+    return obj.Base

@@ -7,11 +7,12 @@ from .. import convert
 from ..errors import MeshError
 from ..second_order import SecondOrder
 from . import properties
-from .base_signature import base_signature
-from .mesh_job import MeshJob, MeshRun
+from .base_mesh import base_signature
+from .mesh_job import MeshJob
+from .mesh_run import MeshRun
 from .option_properties import add_options
 from .report_properties import add_report, show_report
-from .stored_result import pack, unpack
+from .stored_result import unpack
 from .undo_observer import observe
 
 SCHEMA_VERSION = 2
@@ -61,9 +62,9 @@ class QuadMeshObject(properties.SavedByProperties):
             raise
         self.error = None
         self.keep(run)
-        obj.FemMesh = convert.fem_mesh_of(run.mesh, run.second_order, convert.source_nodes(run.mesh, job.sources, job.points))
+        obj.FemMesh = run.take_fem_mesh(job)
         obj.BaseSignature = base_signature(obj.Base)
-        obj.QuadData = pack(run.mesh)
+        obj.QuadData = run.packed
         show_report(obj, run.mesh.report)
 
     def keep(self, run):
@@ -83,13 +84,12 @@ class QuadMeshObject(properties.SavedByProperties):
         except MeshError:
             return False
 
+    def run_of(self, data):
+        """The run of this session that is kept as this QuadData, or None; see result_of()."""
+        return next((run for run in reversed(self._runs) if run.packed == data), None)
+
     def _find(self, key):
         return next((run for run in self._runs if run.key == key), None)
-
-    @property
-    def result(self):
-        """The QuadMesh of the last run in this session, or None; see result_of()."""
-        return self._runs[-1].mesh if self._runs else None
 
     def mustExecute(self, obj):
         """FreeCAD does not touch what depends on a mesh when the mesh is assigned: compare."""
@@ -118,8 +118,9 @@ def result_of(obj):
     """The QuadMesh of a quad mesh object, of this session's run or of the saved file; None when there is none yet."""
     if not obj.QuadData:
         return None
-    if obj.Proxy.result is not None and pack(obj.Proxy.result) == obj.QuadData:
-        return obj.Proxy.result
+    run = obj.Proxy.run_of(obj.QuadData)
+    if run is not None:
+        return run.mesh
     points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
     if quads.shape[1] == 8:  # the mid-side nodes follow the corners
         quads = np.ascontiguousarray(quads[:, :4])
@@ -129,5 +130,7 @@ def result_of(obj):
 
 def second_order_of(obj):
     """The SecondOrder of a quad mesh object; None when its quads have four nodes."""
-    points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
-    return SecondOrder(points, quads) if quads.shape[1] == 8 else None
+    fem_mesh = obj.FemMesh
+    if fem_mesh.FaceCount == 0 or len(fem_mesh.getElementNodes(1)) != 8:
+        return None
+    return SecondOrder(*convert.fem_mesh_to_arrays(fem_mesh))

@@ -3,11 +3,10 @@
 import FreeCAD
 import numpy as np
 
-from .. import convert
-from ..compat import global_placement
 from ..errors import MeshError
 from ..source import Source
 from . import properties
+from .base_mesh import base_arrays
 from .part_edges import vertices_on_edges
 
 SCHEMA_VERSION = 1
@@ -50,7 +49,7 @@ class SourceObject(properties.SavedByProperties):
         """Find the line on the base mesh, and measure it. Raises MeshError for ids that the mesh does not have."""
         if obj.Base is None:
             raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
-        points, triangles = convert.mesh_to_arrays(obj.Base.Mesh, global_placement(obj.Base))
+        points, triangles = base_arrays(obj.Base)
         if obj.Edges:
             shape, names = obj.Edges
             obj.Vertices = vertices_on_edges(points, triangles, [shape.getSubObject(name) for name in names])

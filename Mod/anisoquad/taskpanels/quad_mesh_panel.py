@@ -107,7 +107,7 @@ class QuadMeshPanel:
 
     def _start(self):
         self.form.preview.setChecked(False)
-        self._run(MeshJob.run, self._done)
+        self._run(MeshJob.run_for_document, self._done)
 
     def _run(self, task, done):
         """Begin a task of the object's MeshJob; done(result) follows."""
