@@ -69,12 +69,7 @@ class MeshJob:
         points, triangles, sources = self.straightened()
         options = Options(**{name: getattr(self.options, name) for name in Options.fields})
         options.cleanup, options.smoothing_passes = False, 0
-        mesh = quad_mesh(points, triangles, sources, options, progress)
-        in_row = mesh.row > 0
-        quads, pass_ = mesh.quads[in_row], mesh.pass_[in_row]
-        ends = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
-        edges, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)
-        return mesh.points[edges], np.repeat(pass_, 4)[first]
+        return row_edges(quad_mesh(points, triangles, sources, options, progress))
 
     def straightened(self):
         """(points, triangles, sources) with the sources imprinted that are to be."""
@@ -87,6 +82,15 @@ class MeshJob:
                                                   feature_angle=self.options.feature_angle)
                 sources[index] = sources[index].along(path)
         return points, triangles, sources
+
+
+def row_edges(mesh):
+    """(ends (E,2,3), pass (E,)) of the edges of a QuadMesh's rows."""
+    in_row = mesh.row > 0
+    quads, pass_ = mesh.quads[in_row], mesh.pass_[in_row]
+    ends = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2).astype(np.int64), axis=1)
+    _, first = np.unique(ends @ [len(mesh.points), 1], return_index=True)
+    return mesh.points[ends[first]], np.repeat(pass_, 4)[first]
 
 
 def checked_base(obj):

@@ -56,7 +56,7 @@ class QuadMeshObject(properties.SavedByProperties):
         """Mesh the base. On an error the old mesh stays, and the object's status says what is wrong."""
         try:
             job = MeshJob.of(obj)
-            run = self._find(job.key) or job.run()
+            run = self.find(job.key) or job.run()
         except Exception as error:
             self.error = error
             raise
@@ -73,14 +73,14 @@ class QuadMeshObject(properties.SavedByProperties):
 
     def remember(self, obj):
         """Take over the run that the object holds, from a file or from before, so that undo and cancel find it again."""
-        if obj.Quads == 0 or "Touched" in obj.State or self._find(MeshJob.of(obj).key):
+        if obj.Quads == 0 or "Touched" in obj.State or self.find(MeshJob.of(obj).key):
             return
         self.keep(MeshRun(result_of(obj), second_order_of(obj), MeshJob.of(obj).key))
 
     def knows_run(self, obj):
         """True when execute() would find its result without meshing."""
         try:
-            return obj.Quads > 0 and self._find(MeshJob.of(obj).key) is not None
+            return obj.Quads > 0 and self.find(MeshJob.of(obj).key) is not None
         except MeshError:
             return False
 
@@ -88,7 +88,8 @@ class QuadMeshObject(properties.SavedByProperties):
         """The run of this session that is kept as this QuadData, or None; see result_of()."""
         return next((run for run in reversed(self._runs) if run.packed == data), None)
 
-    def _find(self, key):
+    def find(self, key):
+        """The run of the job with this key, or None where it is not known any more."""
         return next((run for run in self._runs if run.key == key), None)
 
     def mustExecute(self, obj):
