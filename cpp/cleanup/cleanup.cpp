@@ -21,7 +21,7 @@ constexpr std::size_t kLeastWork = 5000;
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
-constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.05, 6.0};
+constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
 constexpr int kRepairRounds = 3;
 
 std::int32_t irregular_nodes(const SurfaceMesh& mesh) {

@@ -20,6 +20,7 @@ constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node'
 constexpr double kBad = 0.25;           ///< scaled Jacobian
 constexpr double kUseless = 0.05;       ///< scaled Jacobian
 constexpr double kAnyAspect = 20.0;     ///< for the repair of what is useless
+constexpr double kMadeUseful = 0.01;   ///< gain of the scaled Jacobian that counts as repair where it was useless
 constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
 constexpr double kMoreAspect = 1.5;     ///< for a repair
 constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
@@ -88,7 +89,7 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
         return false;
     }
     // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
-    if (before.worst < kUseless && after.worst > before.worst + kUseless)
+    if (before.worst < kUseless && after.worst > before.worst + kMadeUseful)
         return after.aspect <= std::max(before.aspect, kAnyAspect);
     if (before.worst < kBad && after.worst > before.worst + kRepaired) {
         return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
