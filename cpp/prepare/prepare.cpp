@@ -57,6 +57,8 @@ class Prepare {
                 field.assign(mesh_, hint_, kept_edges());
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
+            // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
+            field.assign(mesh_, hint_, line_edges());
             std::vector<char> zone = zone_of_patches();
             const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
@@ -132,6 +134,16 @@ class Prepare {
             kept[static_cast<std::size_t>(i)] = is_settled(M::halfedge(e, 0)) || is_settled(M::halfedge(e, 1));
         }
         return kept;
+    }
+
+    /// Per edge: 1 for edges of lines.
+    std::vector<char> line_edges() const {
+        std::vector<char> edges(static_cast<std::size_t>(mesh_.edge_slots()), 0);
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            const Edge e(i);
+            edges[static_cast<std::size_t>(i)] = !mesh_.is_deleted(e) && (mesh_.is_boundary(e) || mesh_.info(e).line >= 0);
+        }
+        return edges;
     }
 
     /// Patches with long edges beside a patch that wants far shorter ones are remeshed too.
