@@ -19,6 +19,8 @@ constexpr double kFlat = 0.7;
 constexpr double kTip = 0.15;
 /// Least cosine between a face of a curved star and the surface's normal.
 constexpr double kUpright = 0.25;
+/// Distance of faces and edges from the surface, over its diagonal, that is allowed in any case.
+constexpr double kNear = 1e-3;
 
 }  // namespace
 
@@ -64,15 +66,34 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
 void Star::see_along_surface(const ReferenceSurface& reference) {
     if (!is_curved_) return;
     upright_ = kUpright;
+    distance_ = 0.0;
     std::int32_t hint = -1;
     for (int i = 0; i < size_; ++i) {
         Wedge& w = wedges_[static_cast<std::size_t>(i)];
-        const Point middle = w.quad ? Point(0.25 * (centre_ + w.next + w.opposite + w.previous)) : Point((centre_ + w.next + w.previous) / 3.0);
-        const SurfacePoint closest = reference.closest(middle, patch_, hint);
+        const SurfacePoint closest = reference.closest(middle(w, centre_), patch_, hint);
         hint = closest.facet;
+        distance_ = std::max(distance_, closest.distance);
         if (hint >= 0) w.up = closest.normal;
+        distance_ = std::max(distance_, reference.closest(0.5 * (centre_ + w.next), patch_, hint).distance);
     }
     if (quality(centre_).worst > 0.0) find_fold();
+}
+
+Point Star::middle(const Wedge& w, const Point& p) const {
+    return w.quad ? Point(0.25 * (p + w.next + w.opposite + w.previous)) : Point((p + w.next + w.previous) / 3.0);
+}
+
+bool Star::stays_near(const ReferenceSurface& reference, const Point& p) const {
+    if (!is_curved_) return true;
+    const double allowed = std::max(distance_, kNear * reference.diagonal());
+    std::int32_t hint = -1;
+    for (int i = 0; i < size_; ++i) {
+        const Wedge& w = wedges_[static_cast<std::size_t>(i)];
+        const SurfacePoint closest = reference.closest(middle(w, p), patch_, hint);
+        hint = closest.facet;
+        if (closest.distance > allowed || reference.closest(0.5 * (p + w.next), patch_, hint).distance > allowed) return false;
+    }
+    return true;
 }
 
 /// The direction in which all faces lie: the eigenvector of the normals' covariance with the smallest eigenvalue.
