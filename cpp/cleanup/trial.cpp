@@ -87,6 +87,8 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
 bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
     if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
     if (after.worst < std::min(before.worst, demands.bound)) return false;
+    if (demands.nearer < 1.0)
+        return after.distance <= demands.nearer * before.distance && after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     // One of several useless elements may be mended before the others.
     const bool fewer_useless = after.deficit <= before.deficit - kMadeUseful;
     if (demands.improvement > 0.0 && !fewer_useless && after.worst < before.worst + demands.improvement) return false;

@@ -33,7 +33,7 @@ constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wa
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
 
 bool is_to_remesh(const PatchAssessment& patch, const Options& options) {
-    return is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded));
+    return is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded || patch.is_coarse));
 }
 
 class Prepare {
@@ -70,11 +70,12 @@ class Prepare {
 
   private:
     void choose_patches() {
-        for (const PatchAssessment& patch : assess_patches(mesh_)) {
+        for (const PatchAssessment& patch : assess_patches(mesh_, options_.curvature_angle)) {
             chosen_.push_back(is_to_remesh(patch, options_) ? 1 : 0);
             if (!chosen_.back()) continue;
             result_.poor += patch.is_poor;
             result_.graded += patch.is_graded && !patch.is_poor;
+            result_.coarse += patch.is_coarse && !patch.is_graded && !patch.is_poor;
             result_.poor_triangles += patch.poor;
         }
     }
@@ -225,7 +226,7 @@ class Prepare {
 
 std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options) {
     std::vector<char> chosen;
-    for (const PatchAssessment& patch : assess_patches(mesh)) chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
+    for (const PatchAssessment& patch : assess_patches(mesh, options.curvature_angle)) chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
     return chosen;
 }
 
