@@ -10,7 +10,7 @@ double distance_to(const FacetTree& surface, const FacetTree& triangles) {
     double largest2 = 0.0;
     std::int32_t hint = -1;  // triangles near each other in memory are near each other in space
     const auto look = [&](const Point& p) {
-        const FacetTree::Hit closest = surface.closest(p, FacetTree::kAnyPatch, hint);
+        const FacetTree::Hit closest = surface.closest(p, FacetTree::kAnyPatch, hint, true);
         hint = closest.facet;
         if (hint >= 0) largest2 = std::max(largest2, closest.distance2);
     };

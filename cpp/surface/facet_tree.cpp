@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -16,7 +17,8 @@ using Eigen::Vector3d;
 constexpr std::int32_t kLeafSize = 4;
 constexpr int kStackSize = 96;      ///< median splits halve: the depth is below 40
 constexpr int kWalkLimit = 64;      ///< facets
-constexpr double kNear = 0.05;      ///< distance over the size of a facet at which a walk's end needs no search
+constexpr double kNearOfHeight = 0.05;    ///< distances at which a walk's end needs no search: over the smallest height of the facet
+constexpr double kNearOfDiagonal = 2e-4;  ///< and over the diagonal
 constexpr double kRounding = 1.0 + 1e-12;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -36,6 +38,7 @@ FacetTree::FacetTree(std::span<const Point> points, std::span<const std::array<s
     }
     diagonal_ = box.isEmpty() ? 0.0 : box.diagonal().norm();
     find_neighbours();
+    measure_facets();
     build_tree();
 }
 
@@ -71,6 +74,18 @@ void FacetTree::find_neighbours() {
             neighbour_[at(a->facet)][at(a->corner)] = b->facet;
             neighbour_[at(b->facet)][at(b->corner)] = a->facet;
         }
+    }
+}
+
+void FacetTree::measure_facets() {
+    near2_.reserve(facets_.size());
+    for (const auto& t : facets_) {
+        const Vector3d a = points_[at(t[1])] - points_[at(t[0])];
+        const Vector3d b = points_[at(t[2])] - points_[at(t[0])];
+        const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+        const double height = longest2 > 0.0 ? a.cross(b).norm() / std::sqrt(longest2) : 0.0;
+        const double near = std::min(kNearOfHeight * height, kNearOfDiagonal * diagonal_);
+        near2_.push_back(static_cast<float>(near * near));
     }
 }
 
@@ -138,8 +153,7 @@ void FacetTree::try_facet(const Point& p, std::int32_t facet, std::int32_t patch
 }
 
 /// Over the edges beyond which p lies, from facet to facet, until p lies over one, or none beyond is closer.
-/// @returns true if the point found is near for the facet's size: then it is the closest one of this sheet of the surface, and
-///          closer ones of another sheet are not wanted
+/// @returns true if the point found is near for the facet's size
 bool FacetTree::walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit& best) const {
     try_facet(p, hint, patch, best);
     if (best.facet != hint) return false;
@@ -153,7 +167,7 @@ bool FacetTree::walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit&
             if (weights[(k + 2) % 3] == 0.0 && other >= 0 && other != before) try_facet(p, other, patch, best);
             if (weights[k] == 1.0 && best.facet == facet) try_round(p, facets_[at(facet)][at(k)], facet, patch, best);
         }
-        if (best.facet == facet) return best.distance2 <= kNear * kNear * extent2(facet);
+        if (best.facet == facet) return best.distance2 <= near2_[at(facet)];
         before = facet;
     }
     return false;
@@ -174,15 +188,10 @@ void FacetTree::try_round(const Point& p, std::int32_t corner, std::int32_t firs
     }
 }
 
-double FacetTree::extent2(std::int32_t facet) const {
-    const auto& t = facets_[at(facet)];
-    return (points_[at(t[1])] - points_[at(t[0])]).squaredNorm();
-}
-
-FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32_t hint) const {
+FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32_t hint, bool is_exact) const {
     Hit best{std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()};
     if (nodes_.empty()) return best;
-    if (hint >= 0 && hint < count() && walk(p, patch, hint, best)) return best;
+    if (hint >= 0 && hint < count() && walk(p, patch, hint, best) && !is_exact) return best;
 
     struct Entry {
         std::int32_t node;

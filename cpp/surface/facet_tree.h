@@ -27,10 +27,10 @@ class FacetTree {
     /// @param patch of each facet; empty: all are patch 0
     FacetTree(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets, std::span<const std::int32_t> patch = {});
 
-    /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends within a twentieth of the facets' size of p is
-    ///        the answer: the closest point of the sheet that the hint lies on, where a thin body has another one closer by.
-    ///        Else all facets are searched.
-    Hit closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
+    /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the answer: a
+    ///        closest point of the sheet that the hint lies on. Else all facets are searched.
+    /// @param is_exact all facets are searched in any case; the walk only bounds the search
+    Hit closest(const Point& p, std::int32_t patch, std::int32_t hint, bool is_exact = false) const;
 
     std::int32_t count() const { return static_cast<std::int32_t>(facets_.size()); }
     std::size_t point_count() const { return points_.size(); }
@@ -52,16 +52,17 @@ class FacetTree {
     };
 
     void find_neighbours();
+    void measure_facets();
     void build_tree();
     void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const;
     void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Hit& best) const;
     bool walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit& best) const;
-    double extent2(std::int32_t facet) const;
 
     std::vector<Point> points_;
     std::vector<std::array<std::int32_t, 3>> facets_;
     std::vector<std::int32_t> patch_;
     std::vector<std::array<std::int32_t, 3>> neighbour_;
+    std::vector<float> near2_;  ///< per facet: squared distance at which a walk that ends there needs no search
     std::vector<Node> nodes_;
     std::vector<std::int32_t> order_;  ///< facets in the order of the leaves
     double diagonal_ = 0.0;
