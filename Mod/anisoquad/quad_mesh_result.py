@@ -18,6 +18,8 @@ class QuadMesh:
     node_line  -- (P,) int32: feature line that the point lies on, -1 = none
     node_input -- (P,) int32: input point that it is, -1 = a new or moved point
     line_edges -- (E,3) int32: (point, point, line); covers every boundary and feature line of the input
+    quad_facet -- (Q,) int32: input triangle below the quad's middle; empty without a CAD surface
+    line_edge_input -- (E,2) int32: the input edge near each line edge, as two input points; empty without a CAD surface
     report     -- dict of counts, rows, quality, times and warnings; JSON-serialisable
     stages     -- [(name, points, faces (F,4) with -1 as a triangle's fourth, row (F,)), ...] if Options.record_stages
     """
@@ -33,6 +35,8 @@ class QuadMesh:
     line_edges: np.ndarray
     report: dict
     stages: list = field(default_factory=list)
+    quad_facet: np.ndarray = field(default_factory=lambda: np.empty(0, np.int32))
+    line_edge_input: np.ndarray = field(default_factory=lambda: np.empty((0, 2), np.int32))
 
     @property
     def valid(self):

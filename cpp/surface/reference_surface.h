@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/surface_mesh.h"
+#include "surface/target_surface.h"
 
 namespace anisoquad {
 
@@ -40,8 +41,15 @@ class ReferenceSurface {
     /// Closest point, lifted off its facet by the quadratic that has the corners' normals, so that a curved surface is not
     /// flattened onto its facets (α = 1/2 of @cite boubekeur2008phong is exact for quadrics). The lift is zero on flat facets
     /// and never more than a tenth of the facet's height or 5e-4 of the surface's diagonal.
+    /// With a target (set_target()) the target's point instead.
     /// @param hint in: facet near p or -1, out: facet of the closest point
     Point project(const Point& p, std::int32_t patch, std::int32_t& hint) const;
+    /// Where p is on the facets of its patch. @param hint as in project()
+    TargetPlace place(const Point& p, std::int32_t patch, std::int32_t& hint) const;
+
+    /// From now on project() asks the surface of which these facets are a triangulation. @param target outlives this
+    void set_target(const FramedTarget& target) { target_ = target; }
+    const FramedTarget& target() const { return target_; }
 
     std::int32_t facet_count() const { return static_cast<std::int32_t>(facets_.size()); }
     std::int32_t facet_patch(std::int32_t facet) const { return patch_[static_cast<std::size_t>(facet)]; }
@@ -81,6 +89,7 @@ class ReferenceSurface {
     std::vector<Node> nodes_;
     std::vector<std::int32_t> order_;  ///< facets in the order of the leaves
     double diagonal_ = 0.0;
+    FramedTarget target_;
 };
 
 }  // namespace anisoquad
