@@ -4,7 +4,7 @@
     points, triangles = shape.triangulate()
     surface = CadSurface(shape, points, triangles)
     mesh = quad_mesh(points, triangles, [Source(surface.path(["Edge3"]), anisotropy=16)], Options(size=10.0), surface=surface)
-    surface.face_groups(mesh)["Face1"]      # its quads
+    mesh.cad_face                           # the face of every quad
 
 Faces and edges have FreeCAD's names: Face1 …, Edge1 …
 """
@@ -27,6 +27,15 @@ def _core():
         raise MeshError("AnisoQuad's part for CAD shapes is missing: it needs OpenCASCADE, and `make build` in the add-on's folder "
                         f"({error})", code="no_cad") from None
     return _cad
+
+
+def has_cad():
+    """True where the part for CAD shapes was built, and finds OpenCASCADE."""
+    try:
+        _core()
+    except MeshError:
+        return False
+    return True
 
 
 class CadShape:
@@ -104,15 +113,18 @@ class CadSurface:
         edges = [edges] if isinstance(edges, (str, int)) else edges
         return self.core.path([_index(edge, "Edge", self.shape.edge_count) for edge in edges], reverse)
 
-    def face_groups(self, mesh):
-        """{"Face1": 0-based quads, …} of a QuadMesh on this surface."""
-        face = self.facet_face[mesh.quad_facet]
-        return {f"Face{index + 1}": np.flatnonzero(face == index) for index in np.unique(face)}
+    def entities_of(self, result):
+        """{"cad_face": …, "cad_edge": …} of the core's result, see QuadMesh."""
+        edges = [self.core.edge_of(a, b) for a, b in result["line_edge_input"].tolist()]
+        return {"cad_face": self.facet_face[result["quad_facet"]], "cad_edge": np.array(edges, np.int32)}
 
-    def edge_groups(self, mesh):
-        """{"Edge1": (n,2) 0-based point indices, …}: the edges of a QuadMesh on this surface that lie on CAD edges."""
-        edge = np.array([self.core.edge_of(a, b) for a, b in mesh.line_edge_input.tolist()], int)
-        return {f"Edge{index + 1}": mesh.line_edges[edge == index, :2] for index in np.unique(edge) if index >= 0}
+    def project(self, points, facets, edges):
+        """(N,3) points put onto the surface.
+
+        facets -- (N,) triangles near them; edges -- (N,2) edges of the triangulation near them, whose CAD edge they shall be on
+                  if there is one, else (-1, -1)
+        """
+        return self.core.project(checked_points(points), np.asarray(facets).tolist(), np.asarray(edges).tolist())
 
 
 def _index(name, kind, count):

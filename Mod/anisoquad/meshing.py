@@ -36,6 +36,8 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None, surfac
         progress,
         surface.core if surface is not None else None,
     )
+    if surface is not None:
+        result.update(surface.entities_of(result))
     return QuadMesh(**result)
 
 

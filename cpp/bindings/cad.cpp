@@ -49,6 +49,24 @@ std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const Poin
     return std::make_shared<CadSurface>(shape, std::move(linked), triangles_of, joined);
 }
 
+py::array projected(const CadSurface& surface, const PointArray& points, const std::vector<std::int32_t>& facets,
+                    const std::vector<std::array<std::int32_t, 2>>& edges) {
+    const auto points_of = span_of(points);
+    const auto count = static_cast<std::int32_t>(surface.link().facet_face.size());
+    if (facets.size() != points_of.size() || edges.size() != points_of.size()) throw std::invalid_argument("one facet and edge for each point");
+    std::vector<Eigen::Vector3d> moved(points_of.begin(), points_of.end());
+    {
+        const py::gil_scoped_release without_gil;
+        std::vector<TargetPlace> places;
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            if (facets[i] < 0 || facets[i] >= count) throw std::invalid_argument("no such facet");
+            places.push_back({facets[i], Eigen::Vector3d::Constant(1.0 / 3.0), edges[i], 0.5});
+        }
+        surface.project(places, moved);
+    }
+    return to_array(std::move(moved));
+}
+
 py::list entities(const MeshLink& link) {
     constexpr const char* kinds[] = {"face", "edge", "vertex"};
     py::list list;
@@ -107,5 +125,6 @@ PYBIND11_MODULE(_cad, module) {
         .def(
             "path", [](const CadSurface& s, const Ids& edges, bool reversed) { return path_on_edges(s.shape(), s.link().paths, edges, reversed); },
             py::arg("edges"), py::arg("reversed"))
+        .def("project", &projected, py::arg("points"), py::arg("facets"), py::arg("edges"))
         .def("edge_of", &CadSurface::edge_of, py::arg("a"), py::arg("b"));
 }

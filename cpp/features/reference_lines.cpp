@@ -46,9 +46,9 @@ double ReferenceLines::closest(std::int32_t line, const Point& p) const {
     return way;
 }
 
-ReferenceLines::EdgePlace ReferenceLines::closest_edge(std::int32_t line, const Point& p) const {
+ReferenceLines::EdgePlace ReferenceLines::edge_at(std::int32_t line, double way) const {
     const Line& l = lines_[static_cast<std::size_t>(line)];
-    const double way = closest(line, p);
+    if (l.closed) way -= std::floor(way / l.way.back()) * l.way.back();
     const auto after = std::upper_bound(l.way.begin() + 1, l.way.end() - 1, way);
     const auto i = static_cast<std::size_t>(after - l.way.begin());
     return {{l.vertices[i - 1], l.vertices[i]}, std::clamp((way - l.way[i - 1]) / (l.way[i] - l.way[i - 1]), 0.0, 1.0)};

@@ -29,7 +29,9 @@ class ReferenceLines {
         std::array<std::int32_t, 2> edge{-1, -1};
         double share = 0.0;
     };
-    EdgePlace closest_edge(std::int32_t line, const Point& p) const;
+    EdgePlace closest_edge(std::int32_t line, const Point& p) const { return edge_at(line, closest(line, p)); }
+    /// The same for a place, as in at().
+    EdgePlace edge_at(std::int32_t line, double way) const;
     /// Largest distance of the line between two places, from < to ≤ from + length, from the straight edge between them.
     double deviation(std::int32_t line, double from, double to) const;
 
