@@ -161,6 +161,7 @@ class Pipeline {
     std::vector<FeatureLine> find_lines(const Frame& frame, std::vector<char>& in_fold) {
         std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
         report().patches = find_patches(mesh_);
+        if (target_) return lines;  // a CAD shape has borders of its faces there
         const std::vector<char> chosen = patches_to_remesh(mesh_, options_);
         if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
         const SizeRange range = size_range(unit_points_, triangles_, 1.0, frame.scale, options_);

@@ -47,6 +47,7 @@ class QuadMeshObject(properties.SavedByProperties):
             obj.OntoShape = True
         properties.add(obj, "App::PropertyAngle", "SmoothAngle", "QuadMesh",
                        "Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one")
+        properties.add(obj, "App::PropertyLink", "Part", "QuadMesh", "The Part object on which the mesh lies, where FEM looks for it", True)
         add_options(obj)
         add_report(obj)
         properties.add(obj, "App::PropertyString", "BaseSignature", "Internal", "The base mesh of the last run", True)
@@ -67,6 +68,9 @@ class QuadMeshObject(properties.SavedByProperties):
         self.error = None
         self.keep(run)
         obj.FemMesh = convert.fem_mesh_of(run.mesh, run.second_order, convert.source_nodes(run.mesh, job.sources, job.points))
+        part = obj.Base.Shape if job.shape is not None else None
+        if obj.Part is not part:
+            obj.Part = part
         obj.BaseSignature = base_signature(obj.Base)
         obj.QuadData = pack(run.mesh)
         show_report(obj, run.mesh.report)

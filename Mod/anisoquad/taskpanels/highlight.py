@@ -19,7 +19,7 @@ class Highlight:
 
     def show(self, error, base):
         """Mark what a MeshError names, on the mesh object that it is about; nothing where it names nothing."""
-        if error.kind == "none" or base is None:
+        if error.kind not in ("vertex", "edge", "facet") or base is None:
             self.clear()
             return
         points, triangles = convert.mesh_to_arrays(base.Mesh, global_placement(base))
