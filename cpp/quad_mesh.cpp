@@ -184,6 +184,8 @@ class Pipeline {
         }
         if (prepared.graded > 0)
             why += "; in " + std::to_string(prepared.graded) + " of them the triangles' size changes too fast";
+        if (prepared.coarse > 0)
+            why += "; in " + std::to_string(prepared.coarse) + " of them the triangles turn too far from one to the next";
         warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.triangles_before) +
              " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + std::to_string(prepared.size) +
              why);

@@ -8,10 +8,13 @@
 #include "cleanup/patterns.h"
 #include "cleanup/region_growth.h"
 #include "cleanup/trial.h"
+#include "mesh/area_vector.h"
 #include "quality/metrics.h"
 
 namespace anisoquad {
 namespace {
+
+using M = SurfaceMesh;
 
 constexpr int kRounds = 4;                ///< in which regions grow from all nodes round which something changed
 constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular node: none takes forever on a hopeless mesh
@@ -21,7 +24,10 @@ constexpr std::size_t kLeastWork = 5000;
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
-constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.05, 6.0};
+constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
+constexpr double kFar = 1.2e-3;     ///< distance from the surface, over its diagonal, of quads that are repaired
+constexpr double kBent = 0.9;      ///< cosine of the turn to a neighbour below which quads may be far
+constexpr Trial::Demands kBringNearer{-12, 0.25, 0.0, 6.0, 0.7};
 constexpr int kRepairRounds = 3;
 
 std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
@@ -37,7 +43,7 @@ std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
 class Cleaner {
   public:
     Cleaner(SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context)
-        : mesh_(mesh), context_(context), trial_(mesh, reference), growth_(trial_, planner_) {}
+        : mesh_(mesh), reference_(reference), context_(context), trial_(mesh, reference), growth_(trial_, planner_) {}
 
     std::int32_t run() {
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) push(Vertex(i));
@@ -95,6 +101,7 @@ class Cleaner {
         for (int round = 0; round < kRepairRounds; ++round) {
             const std::int32_t before = operations_;
             for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair(Face(i));
+            for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) bring_nearer(Face(i));
             work_off();
             if (operations_ == before) return;
         }
@@ -105,10 +112,7 @@ class Cleaner {
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > kPoor) return;
         const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
-        std::array<Vertex, 4> nodes;
-        std::size_t k = 0;
-        for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
-        for (const Vertex v : nodes) {
+        for (const Vertex v : nodes_of(f)) {
             find_proposals(v, demands.gain);
             if (apply_best(demands)) return;
         }
@@ -117,6 +121,40 @@ class Cleaner {
         propose_inset(mesh_, f, proposals_);
         sort_out(demands.gain);
         apply_best(demands);
+    }
+
+    /// A quad that spans a fold of the surface is worth irregular nodes, if the new ones lie nearer.
+    void bring_nearer(Face f) {
+        if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0 || !is_far(f)) return;
+        for (const Vertex v : nodes_of(f)) {
+            find_proposals(v, kBringNearer.gain);
+            if (apply_best(kBringNearer)) return;
+        }
+        proposals_.clear();
+        propose_inset(mesh_, f, proposals_);
+        sort_out(kBringNearer.gain);
+        apply_best(kBringNearer);
+    }
+
+    bool is_far(Face f) const {
+        const Eigen::Vector3d area = doubled_area_vector_of_quad(mesh_, f);
+        bool bent = false;
+        Point middle = Point::Zero();
+        for (const HalfEdge h : mesh_.halfedges(f)) {
+            middle += 0.25 * mesh_.position(mesh_.from(h));
+            const Face beside = mesh_.face(M::twin(h));
+            if (is_fixed(mesh_, M::edge(h)) || !mesh_.is_quad(beside)) continue;
+            const Eigen::Vector3d other = doubled_area_vector_of_quad(mesh_, beside);
+            bent = bent || area.dot(other) < kBent * area.norm() * other.norm();
+        }
+        return bent && reference_.closest(middle, mesh_.info(f).patch).distance > kFar * reference_.diagonal();
+    }
+
+    std::array<Vertex, 4> nodes_of(Face f) const {
+        std::array<Vertex, 4> nodes;
+        std::size_t k = 0;
+        for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
+        return nodes;
     }
 
     void find_proposals(Vertex v, int least_gain) {
@@ -177,6 +215,7 @@ class Cleaner {
     }
 
     SurfaceMesh& mesh_;
+    const ReferenceSurface& reference_;
     Context& context_;
     Trial trial_;
     PatchPlanner planner_;

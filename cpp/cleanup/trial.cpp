@@ -20,6 +20,7 @@ constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node'
 constexpr double kBad = 0.25;           ///< scaled Jacobian
 constexpr double kUseless = 0.05;       ///< scaled Jacobian
 constexpr double kAnyAspect = 20.0;     ///< for the repair of what is useless
+constexpr double kMadeUseful = 0.01;   ///< gain of the scaled Jacobian that counts as repair where it was useless
 constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
 constexpr double kMoreAspect = 1.5;     ///< for a repair
 constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
@@ -68,7 +69,9 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
         hint = middle.facet;
         const bool upright = (p[2] - p[0]).cross(p[3] - p[1]).dot(middle.normal) > 0.0;
         const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
-        result.worst = std::min(result.worst, upright ? q : -std::abs(q));
+        const double judged = upright ? q : -std::abs(q);
+        result.worst = std::min(result.worst, judged);
+        result.deficit += std::max(0.0, kUseless - judged);
         result.mean += q / static_cast<double>(faces.size());
         result.aspect = std::max(result.aspect, aspect_ratio(p[0], p[1], p[2], p[3]));
         result.distance = std::max(result.distance, middle.distance);
@@ -83,13 +86,14 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
 
 bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
     if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
-    if (after.worst < std::min(before.worst, demands.bound) ||
-        (demands.improvement > 0.0 && after.worst < before.worst + demands.improvement)) {
-        return false;
-    }
+    if (after.worst < std::min(before.worst, demands.bound)) return false;
+    if (demands.nearer < 1.0)
+        return after.distance <= demands.nearer * before.distance && after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
+    // One of several useless elements may be mended before the others.
+    const bool fewer_useless = after.deficit <= before.deficit - kMadeUseful;
+    if (demands.improvement > 0.0 && !fewer_useless && after.worst < before.worst + demands.improvement) return false;
     // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
-    if (before.worst < kUseless && after.worst > before.worst + kUseless)
-        return after.aspect <= std::max(before.aspect, kAnyAspect);
+    if (fewer_useless) return after.aspect <= std::max(before.aspect, kAnyAspect);
     if (before.worst < kBad && after.worst > before.worst + kRepaired) {
         return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     }

@@ -39,6 +39,10 @@ class RidgeFinder {
             const double y = fold(b).turn * (1.0 - fold(b).imbalance);
             return x != y ? x > y : a < b;
         });
+        // A source stands for the fold that it lies on.
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            if (!mesh_.is_deleted(Edge(i)) && mesh_.info(Edge(i)).source) shut(M::halfedge(Edge(i)));
+        }
         for (const Edge e : seeds) grow(e);
         return std::move(ridges_);
     }
@@ -171,7 +175,7 @@ class RidgeFinder {
         return std::any_of(chain.begin() + 1, chain.end(), [&](HalfEdge h) { return mesh_.from(h) == v; });
     }
 
-    /// Marks the vertices within the width of a ridge's edge, so that no other ridge begins there, and the fold's edges.
+    /// Marks the vertices within the width of a line's edge, so that no other ridge begins there, and the fold's edges.
     void shut(HalfEdge h) {
         std::vector<Vertex> queue{mesh_.from(h), mesh_.to(h)};
         ++now_;

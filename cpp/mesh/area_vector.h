@@ -14,7 +14,15 @@ inline Eigen::Vector3d doubled_area_vector(const SurfaceMesh& mesh, Face f) {
     return (mesh.position(mesh.to(h)) - p).cross(mesh.position(mesh.to(mesh.next(h))) - p);
 }
 
-/// Sum of it over a region of triangles: the direction that the region faces as a whole.
+/// Twice the area vector of a quad: the cross product of its diagonals. @pre the face is a quad
+inline Eigen::Vector3d doubled_area_vector_of_quad(const SurfaceMesh& mesh, Face f) {
+    const HalfEdge h = mesh.halfedge(f);
+    const HalfEdge opposite = mesh.next(mesh.next(h));
+    return (mesh.position(mesh.from(opposite)) - mesh.position(mesh.from(h)))
+        .cross(mesh.position(mesh.to(opposite)) - mesh.position(mesh.to(h)));
+}
+
+/// Sum over a region of triangles: the direction that the region faces as a whole.
 inline Eigen::Vector3d doubled_area_vector(const SurfaceMesh& mesh, std::span<const Face> faces) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Face f : faces) sum += doubled_area_vector(mesh, f);

@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "mesh/area_vector.h"
 #include "prepare/triangle_shape.h"
 
 namespace anisoquad {
@@ -15,19 +17,15 @@ constexpr double kPoorShape = 0.2;
 constexpr double kPoorShare = 0.02;      ///< of a patch's triangles
 constexpr double kSteep = 0.35;          ///< change of the triangles' size per unit of way
 constexpr double kSteepShare = 0.1;      ///< of a patch's edges
+constexpr double kSharpShare = 0.015;    ///< of a patch's edges
 constexpr std::int32_t kFewEdges = 100;  ///< fewer say nothing about a grading
-
-double doubled_area(const SurfaceMesh& mesh, HalfEdge h) {
-    const Point& a = mesh.position(mesh.from(h));
-    return (mesh.position(mesh.to(h)) - a).cross(mesh.position(mesh.to(mesh.next(h))) - a).norm();
-}
 
 double size_at(const SurfaceMesh& mesh, Vertex v) {
     double area = 0.0;
     int triangles = 0;
     for (const HalfEdge h : mesh.outgoing(v)) {
         if (mesh.is_boundary(h)) continue;
-        area += doubled_area(mesh, h);
+        area += doubled_area_vector(mesh, mesh.face(h)).norm();
         ++triangles;
     }
     return triangles > 0 ? std::sqrt(area / triangles) : 0.0;
@@ -35,7 +33,7 @@ double size_at(const SurfaceMesh& mesh, Vertex v) {
 
 }  // namespace
 
-std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh) {
+std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle) {
     std::vector<PatchAssessment> patches;
     for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
         if (mesh.is_deleted(Face(i))) continue;
@@ -51,6 +49,8 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh) {
     }
     std::vector<std::int32_t> edges(patches.size(), 0);
     std::vector<std::int32_t> steep(patches.size(), 0);
+    std::vector<std::int32_t> sharp(patches.size(), 0);
+    const double cosine = std::cos(curvature_angle * std::numbers::pi / 180.0);
     for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
         if (mesh.is_deleted(Edge(i)) || mesh.is_constrained(Edge(i))) continue;
         const HalfEdge h = M::halfedge(Edge(i));
@@ -58,10 +58,14 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh) {
         const double step = size[static_cast<std::size_t>(mesh.from(h).index())] - size[static_cast<std::size_t>(mesh.to(h).index())];
         ++edges[patch];
         steep[patch] += std::abs(step) > kSteep * mesh.length(h);
+        const Eigen::Vector3d left = doubled_area_vector(mesh, mesh.face(h));
+        const Eigen::Vector3d right = doubled_area_vector(mesh, mesh.face(M::twin(h)));
+        sharp[patch] += left.dot(right) < cosine * left.norm() * right.norm();
     }
     for (std::size_t p = 0; p < patches.size(); ++p) {
         patches[p].is_poor = patches[p].poor > kPoorShare * patches[p].triangles;
         patches[p].is_graded = edges[p] >= kFewEdges && steep[p] > kSteepShare * edges[p];
+        patches[p].is_coarse = curvature_angle > 0.0 && edges[p] >= kFewEdges && sharp[p] > kSharpShare * edges[p];
     }
     return patches;
 }

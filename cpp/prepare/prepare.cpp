@@ -33,7 +33,7 @@ constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wa
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
 
 bool is_to_remesh(const PatchAssessment& patch, const Options& options) {
-    return is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded));
+    return is_asked(options) || (options.prepare && (patch.is_poor || patch.is_graded || patch.is_coarse));
 }
 
 class Prepare {
@@ -57,6 +57,8 @@ class Prepare {
                 field.assign(mesh_, hint_, kept_edges());
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
+            // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
+            field.assign(mesh_, hint_, line_edges());
             std::vector<char> zone = zone_of_patches();
             const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
@@ -68,11 +70,12 @@ class Prepare {
 
   private:
     void choose_patches() {
-        for (const PatchAssessment& patch : assess_patches(mesh_)) {
+        for (const PatchAssessment& patch : assess_patches(mesh_, options_.curvature_angle)) {
             chosen_.push_back(is_to_remesh(patch, options_) ? 1 : 0);
             if (!chosen_.back()) continue;
             result_.poor += patch.is_poor;
             result_.graded += patch.is_graded && !patch.is_poor;
+            result_.coarse += patch.is_coarse && !patch.is_graded && !patch.is_poor;
             result_.poor_triangles += patch.poor;
         }
     }
@@ -132,6 +135,16 @@ class Prepare {
             kept[static_cast<std::size_t>(i)] = is_settled(M::halfedge(e, 0)) || is_settled(M::halfedge(e, 1));
         }
         return kept;
+    }
+
+    /// Per edge: 1 for edges of lines.
+    std::vector<char> line_edges() const {
+        std::vector<char> edges(static_cast<std::size_t>(mesh_.edge_slots()), 0);
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            const Edge e(i);
+            edges[static_cast<std::size_t>(i)] = !mesh_.is_deleted(e) && (mesh_.is_boundary(e) || mesh_.info(e).line >= 0);
+        }
+        return edges;
     }
 
     /// Patches with long edges beside a patch that wants far shorter ones are remeshed too.
@@ -213,7 +226,7 @@ class Prepare {
 
 std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options) {
     std::vector<char> chosen;
-    for (const PatchAssessment& patch : assess_patches(mesh)) chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
+    for (const PatchAssessment& patch : assess_patches(mesh, options.curvature_angle)) chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
     return chosen;
 }
 

@@ -18,6 +18,7 @@ struct PrepareResult {
     std::int32_t patches = 0;  ///< that were remeshed
     std::int32_t poor = 0;     ///< of them, those with triangles too long and thin for quads
     std::int32_t graded = 0;   ///< of them, those whose triangles' size changes too fast
+    std::int32_t coarse = 0;   ///< of them, those whose triangles turn too far
     std::int32_t poor_triangles = 0;
     std::int32_t triangles_before = 0;
     std::int32_t triangles_after = 0;

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 
 constexpr double kLeastTurn = 1e-4;     ///< radians; less is rounding
 constexpr double kSizeAtRidge = 0.6;    ///< least size at a ridge over the largest
+constexpr double kOffRidge = 2.5;       ///< sagitta of elements beside a ridge over that of others
 constexpr double kLengthOfWidth = 3.0;  ///< longest edges along a narrow place over its width
 
 /// Height of the triangle of h over h.
@@ -60,6 +61,14 @@ double SizeField::coarsen_to(double triangles, std::span<const Point> points, st
     return factor;
 }
 
+/// Elements beside a ridge span half the fold, which may lie off them by as much as coarse ones do; one that is thinner than that is
+/// no matter of theirs.
+double SizeField::size_at_ridge(double radius) const {
+    const double most = kSizeAtRidge * options_.largest;
+    const double off = kOffRidge * options_.sagitta;
+    return radius < off ? most : std::min(most, std::sqrt(8.0 * radius * off));
+}
+
 void SizeField::limit_by_curvature(const SurfaceMesh& mesh) {
     const double angle = options_.curvature_angle * std::numbers::pi / 180.0;
     for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {
@@ -78,7 +87,7 @@ void SizeField::limit_by_curvature(const SurfaceMesh& mesh) {
         double size = std::min(angle * radius, std::sqrt(8.0 * radius * options_.sagitta));
         // A ridge line takes most of a fold's turn: the elements beside it are only a little smaller.
         const auto slot = static_cast<std::size_t>(e);
-        if (slot < options_.in_fold.size() && options_.in_fold[slot]) size = std::max(size, kSizeAtRidge * options_.largest);
+        if (slot < options_.in_fold.size() && options_.in_fold[slot]) size = std::max(size, size_at_ridge(radius));
         limit(f, size);
         limit(g, size);
     }

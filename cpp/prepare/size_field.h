@@ -39,6 +39,7 @@ class SizeField {
     void assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept) const;
 
   private:
+    double size_at_ridge(double radius) const;
     void limit_by_curvature(const SurfaceMesh& mesh);
     void limit_by_width(const SurfaceMesh& mesh);
     double size_at(const SurfaceMesh& mesh, Vertex v, std::int32_t& hint) const;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "mesh/area_vector.h"
 #include "mesh/arrays.h"
 #include "mesh/validate.h"
 #include "quality/distance.h"
@@ -109,13 +110,6 @@ class Measurer {
         report_.warpage = distribution([&](Face f) { return warpage(mesh_, f); }, false);
     }
 
-    Vector3d area_vector(Face f) const {
-        const HalfEdge h = mesh_.halfedge(f);
-        const Point& a = mesh_.position(mesh_.from(h));
-        const Point& c = mesh_.position(mesh_.to(mesh_.next(h)));
-        return 0.5 * (c - a).cross(mesh_.position(mesh_.from(mesh_.prev(h))) - mesh_.position(mesh_.to(h)));
-    }
-
     /// Folded quads, and those turned over as a whole: against the surface below them and against a neighbour. The neighbour is
     /// asked too because on a thin body the closest facet can be one of the other side.
     void count_inverted() {
@@ -126,13 +120,13 @@ class Measurer {
                 ++report_.inverted;
                 continue;
             }
-            const Vector3d normal = area_vector(face(i));
+            const Vector3d normal = doubled_area_vector_of_quad(mesh_, face(i));
             Point centre = Point::Zero();
             bool against_neighbour = false;
             for (const HalfEdge h : mesh_.halfedges(face(i))) {
                 centre += 0.25 * mesh_.position(mesh_.from(h));
                 const Face other = mesh_.face(M::twin(h));
-                against_neighbour |= !mesh_.is_constrained(M::edge(h)) && normal.dot(area_vector(other)) < 0.0;
+                against_neighbour |= !mesh_.is_constrained(M::edge(h)) && normal.dot(doubled_area_vector_of_quad(mesh_, other)) < 0.0;
             }
             if (!against_neighbour) continue;
             const SurfacePoint below = reference_.closest(centre, ReferenceSurface::kAnyPatch, hint);

@@ -106,6 +106,7 @@ class FinalSmoother {
             const Star::Quality after = star.quality(p);
             if (!(after.score() > before.score() + kLeastScoreGain)) continue;
             if (after.worst < before.worst && after.worst < Star::kPoor) continue;
+            if (!star.stays_near(reference_, p)) continue;
             mesh_.position(v) = p;
             mesh_.info(v).input = -1;
             hint_[index(v)] = facet;

@@ -58,6 +58,7 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
         if (reference) p = reference->project(p, star.patch(), facet);
         if (p == star.centre()) return false;
         if (!p.allFinite() || !is_acceptable(star, before, p, good_enough)) continue;
+        if (reference && before.worst > kUpright && !star.stays_near(*reference, p)) continue;
         mesh.position(v) = p;
         mesh.info(v).input = -1;
         if (hint) *hint = facet;

@@ -40,6 +40,8 @@ bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* referenc
         Point p = chart(x);
         if (reference) p = reference->project(p, star.patch(), facet);
         if (!p.allFinite() || score(star, p) < before + kLeastGain) continue;
+        // What is turned over is mended first.
+        if (reference && before > 0.0 && !star.stays_near(*reference, p)) continue;
         mesh.position(v) = p;
         mesh.info(v).input = -1;
         if (hint) *hint = facet;

@@ -15,10 +15,14 @@ using Eigen::Vector3d;
 constexpr double kLeastCornerArea = 0.1;
 /// Cosine between a face and the normal of its star below which the star counts as curved.
 constexpr double kFlat = 0.7;
+/// The same, below which faces can leave the surface by more than a little.
+constexpr double kStraight = 0.9;
 /// Smallest mean square of the normals' part along any direction where the surface is a tip rather than a fold.
 constexpr double kTip = 0.15;
 /// Least cosine between a face of a curved star and the surface's normal.
 constexpr double kUpright = 0.25;
+/// Distance of faces and edges from the surface, over its diagonal, that is allowed in any case.
+constexpr double kNear = 5e-4;
 
 }  // namespace
 
@@ -52,11 +56,13 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     normal_ /= length;
     see_along(normal_);
     is_curved_ = false;
+    is_bent_ = false;
     upright_ = 0.0;
     is_on_fold_ = false;
     for (int i = 0; i < size_; ++i) {
         const Vector3d area = area_vector(wedges_[static_cast<std::size_t>(i)]);
         is_curved_ = is_curved_ || area.dot(normal_) < kFlat * area.norm();
+        is_bent_ = is_bent_ || area.dot(normal_) < kStraight * area.norm();
     }
     return true;
 }
@@ -67,12 +73,33 @@ void Star::see_along_surface(const ReferenceSurface& reference) {
     std::int32_t hint = -1;
     for (int i = 0; i < size_; ++i) {
         Wedge& w = wedges_[static_cast<std::size_t>(i)];
-        const Point middle = w.quad ? Point(0.25 * (centre_ + w.next + w.opposite + w.previous)) : Point((centre_ + w.next + w.previous) / 3.0);
-        const SurfacePoint closest = reference.closest(middle, patch_, hint);
+        const SurfacePoint closest = reference.closest(middle(w, centre_), patch_, hint);
         hint = closest.facet;
         if (hint >= 0) w.up = closest.normal;
     }
     if (quality(centre_).worst > 0.0) find_fold();
+}
+
+Point Star::middle(const Wedge& w, const Point& p) const {
+    return w.quad ? Point(0.25 * (p + w.next + w.opposite + w.previous)) : Point((p + w.next + w.previous) / 3.0);
+}
+
+double Star::distance(const ReferenceSurface& reference, const Point& p) const {
+    double distance = 0.0;
+    std::int32_t hint = -1;
+    for (int i = 0; i < size_; ++i) {
+        const Wedge& w = wedges_[static_cast<std::size_t>(i)];
+        const SurfacePoint closest = reference.closest(middle(w, p), patch_, hint);
+        hint = closest.facet;
+        distance = std::max({distance, closest.distance, reference.closest(0.5 * (p + w.next), patch_, hint).distance});
+    }
+    return distance;
+}
+
+bool Star::stays_near(const ReferenceSurface& reference, const Point& p) const {
+    if (!is_bent_) return true;
+    const double after = distance(reference, p);
+    return after <= kNear * reference.diagonal() || after <= distance(reference, centre_);
 }
 
 /// The direction in which all faces lie: the eigenvector of the normals' covariance with the smallest eigenvalue.

@@ -36,6 +36,9 @@ class Star {
     /// True where the surface is folded round the node, and the node can only slide along the fold, if at all: off it the mesh
     /// would draw back from the fold, which no distance of the mesh from the surface tells. Known after see_along_surface().
     bool is_on_fold() const { return is_on_fold_; }
+    /// With the node at p, the middles of the faces and of the node's edges don't leave the surface by more than they did or is small. Always true where
+    /// the surface is hardly curved.
+    bool stays_near(const ReferenceSurface& reference, const Point& p) const;
     /// The step without its part across the fold.
     Eigen::Vector3d along_fold(const Eigen::Vector3d& step) const { return step.dot(fold_axis_) * fold_axis_; }
 
@@ -69,6 +72,8 @@ class Star {
         bool quad;
     };
     Eigen::Vector3d area_vector(const Wedge& wedge) const;
+    Point middle(const Wedge& wedge, const Point& p) const;
+    double distance(const ReferenceSurface& reference, const Point& p) const;
     void find_fold();
     /// @param ratio receives longest over shortest edge of a quad, 1 for a triangle
     double quality(const Wedge& wedge, const Point& p, double& ratio) const;
@@ -83,6 +88,7 @@ class Star {
     bool is_on_fold_ = false;
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
     bool is_curved_ = false;  ///< some face is turned far from the normal
+    bool is_bent_ = false;    ///< some face is turned from the normal
 };
 
 }  // namespace anisoquad

@@ -14,7 +14,7 @@ PatchAssessment assess(const Surface& s) {
     SurfaceMesh mesh = from_arrays(s.points, s.triangles);
     find_features(mesh, {}, {});
     EXPECT_EQ(find_patches(mesh), 1);
-    return assess_patches(mesh).at(0);
+    return assess_patches(mesh, 30.0).at(0);
 }
 
 /// A cylinder whose rings lie closer and closer: each is `step` times as high as the one before.
@@ -45,6 +45,11 @@ TEST(AssessPatches, LongThinTrianglesArePoor) {
 TEST(AssessPatches, SteepGradingIsSeenAndAGentleOneIsNot) {
     EXPECT_TRUE(assess(graded_cylinder(1.0 / 0.85)).is_graded || assess(graded_cylinder(1.0 / 0.85)).is_poor);
     EXPECT_FALSE(assess(graded_cylinder(1.02)).is_graded);
+}
+
+TEST(AssessPatches, TrianglesThatTurnTooFarAreCoarse) {
+    EXPECT_TRUE(assess(strip_cylinder(10, 20, 1.0)).is_coarse);  // by 36 degrees, which is no feature line yet
+    EXPECT_FALSE(assess(strip_cylinder(24, 20, 1.0)).is_coarse);
 }
 
 }  // namespace
