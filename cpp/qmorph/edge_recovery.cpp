@@ -122,6 +122,14 @@ class EdgeRecovery {
             if (mesh_.is_deleted(e)) continue;
             for (const Vertex v : {mesh_.from(M::halfedge(e)), mesh_.to(M::halfedge(e))}) {
                 if (mesh_.is_deleted(v) || !is_free(v)) continue;
+                // No edge of a node inside of a triangle can be swapped.
+                if (mesh_.valence(v) == 3) {
+                    const HalfEdge out = mesh_.halfedge(v);
+                    if (!is_collapse_ok(mesh_, out)) continue;
+                    collapse(mesh_, out);
+                    changed = true;
+                    break;
+                }
                 const Vector3d offset = at(v) - at(a_);
                 const double along = offset.dot(line_) / line_.squaredNorm();
                 const Vector3d across = normal_.cross(line_).normalized();
