@@ -63,10 +63,10 @@ class CadShape:
         """The shape of a text in BREP format, as a Part shape's exportBrepToString() gives. name -- for messages."""
         return cls(_core().CadShape.from_brep(text, name, check))
 
-    def triangulate(self, deflection=0.0, angle=15.0):
+    def triangulate(self, deflection=0.0, angle=8.0):
         """(points (N,3), triangles (M,3)) by BRepMesh: long and thin triangles, for quad_mesh(surface=…) to prepare.
 
-        deflection -- largest distance from the shape; 0: a thousandth of its diagonal
+        deflection -- largest distance from the shape; 0: a five-thousandth of its diagonal
         angle      -- degrees between neighbours along a curve or surface
         Raises MeshError ("face_not_meshable") with the faces on which there are none.
         """

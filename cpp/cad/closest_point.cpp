@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 
 constexpr int kIterations = 40;
 constexpr int kHalvings = 12;
-constexpr double kStepAtRest = 1e-13;  ///< over the distance of the point from the origin, and the size of what it is on
+constexpr double kNoWorse = 1.0 + 1e-13;  ///< squared distances do not tell the last steps apart
+constexpr double kStepAtRest = 1e-12;  ///< over the distance of the point from the origin, and the size of what it is on
 constexpr double kFlat = 1e-12;        ///< of a length of a derivative over the larger one: a pole
 constexpr int kStarts = 3;             ///< of the grid's points, tried in the order of their distance
 constexpr int kSamples = 24;           ///< a direction, at the least
@@ -93,7 +94,7 @@ FacePoint descend(const CadFace& face, const Vector3d& p, const Vector2d& start)
         for (int k = 0; k < kHalvings && !found; ++k, share *= 0.5) {
             next = held(face, x + share * step);
             better = (value(face, next) - p).squaredNorm();
-            found = better < squared;
+            found = better <= squared * kNoWorse;
         }
         const Vector2d moved = next - x;
         result.converged = !found || std::abs(moved[0]) * d.u.norm() + std::abs(moved[1]) * d.v.norm() <= rest;
@@ -188,7 +189,7 @@ EdgePoint closest_on_edge(const CadEdge& edge, const Vector3d& p, double start) 
         for (int k = 0; k < kHalvings && !found; ++k, step *= 0.5) {
             next = std::clamp(t + step, edge.range.low, edge.range.high);
             there = to_eigen(edge.curve->Value(next)) - p;
-            found = there.squaredNorm() < r.squaredNorm();
+            found = there.squaredNorm() <= r.squaredNorm() * kNoWorse;
         }
         result.converged = !found || std::abs(next - t) * u.norm() <= rest;
         if (!found) break;

@@ -71,7 +71,14 @@ class Walk {
         for (std::size_t k = 0; k < 3; ++k) {
             if (k != third) result_.corner[at(across)][k] = known[to[k] == from[side] ? side : (side + 1) % 3];
         }
-        settle(across, third, 0.5 * (known[side] + known[(side + 1) % 3]));
+        Vector2d near = 0.5 * (known[side] + known[(side + 1) % 3]);
+        for (const std::size_t pole : {side, (side + 1) % 3}) {
+            const std::size_t other = pole == side ? (side + 1) % 3 : side;
+            for (Eigen::Index i = 0; i < 2; ++i) {
+                if (is_free(face_of(f), known[pole], i)) near[i] = known[other][i];
+            }
+        }
+        settle(across, third, near);
     }
 
     void settle(std::int32_t f, std::size_t k, const Vector2d& near) {
@@ -90,18 +97,22 @@ class Walk {
         distance = found.distance;
     }
 
+    /// True at a pole for the parameter along which nothing moves there.
+    bool is_free(const CadFace& face, const Vector2d& x, Eigen::Index i) const {
+        gp_Pnt p;
+        gp_Vec d[2];
+        face.surface->D1(x[0], x[1], p, d[0], d[1]);
+        const Range& r = face.range[static_cast<std::size_t>(i)];
+        return d[i].Magnitude() * (r.high - r.low) <= kPole * shape_.diagonal();
+    }
+
     void free_poles() {
         for (std::size_t f = 0; f < triangles_.size(); ++f) {
             const CadFace& face = face_of(static_cast<std::int32_t>(f));
             for (std::size_t k = 0; k < 3; ++k) {
                 Vector2d& x = result_.corner[f][k];
-                gp_Pnt p;
-                gp_Vec d[2];
-                face.surface->D1(x[0], x[1], p, d[0], d[1]);
                 for (Eigen::Index i = 0; i < 2; ++i) {
-                    const Range& r = face.range[static_cast<std::size_t>(i)];
-                    if (d[i].Magnitude() * (r.high - r.low) > kPole * shape_.diagonal()) continue;
-                    x[i] = 0.5 * (result_.corner[f][(k + 1) % 3][i] + result_.corner[f][(k + 2) % 3][i]);
+                    if (is_free(face, x, i)) x[i] = 0.5 * (result_.corner[f][(k + 1) % 3][i] + result_.corner[f][(k + 2) % 3][i]);
                 }
             }
         }

@@ -30,6 +30,20 @@ void check_paths(const CadShape& shape, std::span<const EdgePath> paths) {
                 ElementKind::cad_edge, missing);
 }
 
+/// @throws Error{shape_mismatch} with the edges of the mesh's boundary that lie on no CAD edge
+void check_boundary(const CadShape& shape, Triangles triangles, std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path) {
+    std::vector<std::int32_t> open;
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t a = triangles[f][k];
+            const std::int32_t b = triangles[f][(k + 1) % 3];
+            if (neighbours[f][k] < 0 && on_path.find(a, b).edge < 0) open.insert(open.end(), {a, b});
+        }
+    }
+    if (open.empty()) return;
+    throw Error(ErrorCode::shape_mismatch, "The mesh ends where " + shape.name() + " has no edge: they do not belong together.", ElementKind::edge, open);
+}
+
 /// @throws Error{shape_mismatch} with the vertices that are too far off
 void check_distances(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, std::span<const double> distance, double tolerance) {
     std::vector<double> length(points.size(), 0.0);
@@ -60,6 +74,7 @@ MeshLink link_mesh(const CadShape& shape, std::span<const Vector3d> points, Tria
     check_paths(shape, traced.paths);
     const PathEdges on_path(traced.paths);
     const auto neighbours = facet_neighbours(triangles);
+    check_boundary(shape, triangles, neighbours, on_path);
 
     MeshLink link;
     link.facet_face = find_facet_faces(shape, points, triangles, neighbours, on_path, traced.paths);

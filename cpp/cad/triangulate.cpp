@@ -22,7 +22,7 @@
 namespace anisoquad::cad {
 namespace {
 
-constexpr double kDeflection = 1e-3;  ///< of the diagonal
+constexpr double kDeflection = 2e-4;  ///< of the diagonal; coarser ones leave too little of thin noses and small fillets
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 

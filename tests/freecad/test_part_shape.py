@@ -31,7 +31,7 @@ class Wing(PartTest):
         self.edge = leading_edge(self.wing)
 
     def make(self, **keywords):
-        keywords = {"sources": [(self.wing, self.edge)], "anisotropy": 16, "options": anisoquad.Options(size=40.0), **keywords}
+        keywords = {"sources": [(self.wing, self.edge)], "anisotropy": 16, "options": anisoquad.Options(size=50.0), **keywords}
         quads = anisoquad.make_quad_mesh(self.doc, base=self.wing, **keywords)
         self.doc.recompute()
         return quads
