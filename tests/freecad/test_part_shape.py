@@ -36,12 +36,18 @@ class Wing(PartTest):
         self.doc.recompute()
         return quads
 
+    def assert_rows(self, quads):
+        """The first pass got rows on both sides, every one of the three on one side at least: 1:16 at the edge."""
+        passes = json.loads(quads.Report)["passes"]
+        self.assertEqual({entry["pass"] for entry in passes}, {1, 2, 3})
+        for number in (1, 2, 3):
+            rows = [entry["rows"] for entry in passes if entry["pass"] == number]
+            self.assertGreaterEqual((min if number == 1 else max)(rows), 1, passes)
+
     def test_the_leading_edge_gets_rows_and_all_nodes_lie_on_the_shape(self):
         quads = self.make()
         self.assert_good(quads, self.wing.Shape)
-        passes = json.loads(quads.Report)["passes"]
-        self.assertEqual({entry["side"] for entry in passes}, {"left", "right"})
-        self.assertTrue(all(entry["rows"] >= 1 for entry in passes), passes)
+        self.assert_rows(quads)
         self.assertIs(quads.Part, self.wing)
 
     def test_the_mesh_follows_the_span_with_the_same_sources(self):
@@ -54,7 +60,7 @@ class Wing(PartTest):
         self.assertAlmostEqual(quads.FemMesh.BoundBox.YMax, before + 300.0, places=6)
         self.assertEqual(quads.Sources[0].Edges, (self.wing, [self.edge]))
         self.assertAlmostEqual(quads.Sources[0].Length.Value, self.wing.Shape.getElement(self.edge).Length, places=3)
-        self.assertTrue(all(entry["rows"] >= 1 for entry in json.loads(quads.Report)["passes"]))
+        self.assert_rows(quads)
 
     def test_patches_and_groups_are_those_of_the_faces_and_edges(self):
         quads = self.make()
@@ -166,11 +172,6 @@ class Constraints(PartTest):
 
 
 class Errors(PartTest):
-    def status(self, quads):
-        self.doc.recompute()
-        self.assertIn("Invalid", quads.State)
-        return quads.getStatusString() + "".join(obj.getStatusString() for obj in [quads.Base] if obj is not None)
-
     def test_a_shape_without_faces(self):
         line = self.doc.addObject("Part::Line", "Line")
         self.doc.recompute()
@@ -198,14 +199,6 @@ class Errors(PartTest):
         self.assertEqual(caught.exception.code, "shape_mismatch")
         self.assertIn("Box", str(caught.exception))
         self.assertIn("Edge", str(caught.exception))
-
-    def test_triangles_that_were_moved_are_not_on_the_shape(self):
-        box = self.doc.addObject("Part::Box", "Box")
-        quads = anisoquad.make_quad_mesh(self.doc, base=box)
-        self.doc.recompute()
-        self.assertEqual(quads.getStatusString(), "Valid")
-        quads.Base.Placement.Base = FreeCAD.Vector(3, 0, 0)
-        self.assertIn("do not belong together", self.status(quads))
 
 
 class Placement(PartTest):
