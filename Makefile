@@ -55,7 +55,7 @@ demo: deps build
 
 test: deps build
 	ctest --preset release --parallel $(JOBS)
-	$(MAKE) --no-print-directory test-core test-python test-freecad
+	$(MAKE) --no-print-directory test-core test-python test-freecad test-gui
 
 # The core's tests again, with assertions and validate() after every stage.
 test-core:

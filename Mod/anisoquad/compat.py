@@ -1,5 +1,9 @@
 """The one place for differences between FreeCAD's versions: written for 0.20 to 1.1."""
 
+import weakref
+from functools import partial
+from importlib import import_module
+
 
 def global_placement(obj):
     """The placement of a document object in the world, also inside an App::Part."""
@@ -21,7 +25,26 @@ def load_ui(path):
     """The widget that a .ui file describes."""
     import FreeCADGui
 
-    return FreeCADGui.PySideUic.loadUi(path)
+    form = FreeCADGui.PySideUic.loadUi(path)
+    form.destroyed.connect(partial(_forget, weakref.ref(form)))
+    return form
+
+
+def _forget(form, *_):
+    """Part the Python object of a deleted widget from its address.
+
+    PySide does so for the widgets that it made itself, not for the one that FreeCAD's loader hands out. Whoever found that one with
+    findChild keeps its Python object alive, and the next widget at that address, of whatever type, would be taken for it.
+    """
+    if form() is not None:
+        _shiboken().invalidate(form())
+
+
+def _shiboken():
+    """The module with which PySide ties Python objects to those of C++."""
+    from PySide.QtCore import QObject
+
+    return import_module("shiboken" + QObject.__module__.removeprefix("PySide").split(".")[0])
 
 
 def translate(context, text):

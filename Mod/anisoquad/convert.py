@@ -14,6 +14,8 @@ from .groups import face_groups, line_groups
 _COUNTS_AT = 264
 _POINTS_AT = 272
 
+_AT_ONCE = 30_000  # elements of a group: some hundredths of a second in which no other thread runs
+
 
 def bms_bytes(mesh):
     """A Mesh.Mesh in FreeCAD's own binary format: exact, without its Placement. A fifth of the time of .Topology."""
@@ -27,21 +29,25 @@ def bms_bytes(mesh):
         os.unlink(path)
 
 
-def mesh_to_arrays(mesh, placement=None):
-    """(points (N,3) float64, triangles (M,3) int32) of a Mesh.Mesh, its points moved by the placement."""
-    data = bms_bytes(mesh)
+def mesh_content(mesh):
+    """(points (N,3) float64, triangles (M,3) int32, signature) of a Mesh.Mesh, in its own coordinates.
+
+    The signature is a short text that differs when the points or facets do.
+    """
+    data = memoryview(bms_bytes(mesh))
     point_count, facet_count = np.frombuffer(data, np.uint32, 2, _COUNTS_AT).tolist()
     points = np.frombuffer(data, np.float32, 3 * point_count, _POINTS_AT).reshape(-1, 3).astype(np.float64)
     facets = np.frombuffer(data, np.uint32, 6 * facet_count, _POINTS_AT + 12 * point_count).reshape(-1, 6)
-    if placement is not None and not placement.isIdentity():
-        matrix = np.array(placement.Matrix.A).reshape(4, 4)
-        points = points @ matrix[:3, :3].T + matrix[:3, 3]
-    return points, facets[:, :3].astype(np.int32)
+    signature = f"{point_count} {facet_count} {zlib.crc32(data[_POINTS_AT:]):08x}"
+    return points, facets[:, :3].astype(np.int32), signature
 
 
-def mesh_signature(mesh):
-    """A short text that differs when the points or facets of a Mesh.Mesh do."""
-    return f"{mesh.CountPoints} {mesh.CountFacets} {zlib.crc32(bms_bytes(mesh)[_POINTS_AT:]):08x}"
+def moved(points, placement):
+    """Points (N,3) moved by a placement."""
+    if placement.isIdentity():
+        return points
+    matrix = np.array(placement.Matrix.A).reshape(4, 4)
+    return points @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 def placement_signature(placement):
@@ -57,12 +63,8 @@ def fem_mesh_of(mesh, second_order=None, source_nodes=()):
     Face groups per patch and pass, node groups per feature line and source.
     """
     fem_mesh = Fem.FemMesh()
-    if second_order is None:
-        _core.fill_fem_mesh(fem_mesh, mesh.points, mesh.quads)
-    else:
-        _core.fill_fem_mesh(fem_mesh, second_order.points, np.empty((0, 4), np.int32))
-        for quad in (second_order.quads + 1).tolist():
-            fem_mesh.addFace(quad)
+    form = mesh if second_order is None else second_order
+    _core.fill_fem_mesh(fem_mesh, form.points, form.quads)
     for name, faces in face_groups(mesh).items():
         _add_group(fem_mesh, name, "Face", faces)
     for name, edges in line_groups(mesh).items():
@@ -118,4 +120,6 @@ def _distance_to_segment(points, start, end):
 
 def _add_group(fem_mesh, name, kind, indices):
     group = fem_mesh.addGroup(name, kind)
-    fem_mesh.addGroupElements(group, (np.asarray(indices) + 1).tolist())
+    ids = np.asarray(indices) + 1
+    for start in range(0, len(ids), _AT_ONCE):
+        fem_mesh.addGroupElements(group, ids[start : start + _AT_ONCE].tolist())

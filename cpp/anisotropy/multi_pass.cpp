@@ -1,6 +1,8 @@
 #include "anisotropy/multi_pass.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "anisotropy/geodesic_trace.h"
 #include "anisotropy/merge.h"
@@ -8,6 +10,7 @@
 #include "anisotropy/segmentation.h"
 #include "anisotropy/source_sides.h"
 #include "anisotropy/transition.h"
+#include "mesh/area_vector.h"
 #include "qmorph/front.h"
 
 namespace anisoquad {
@@ -21,12 +24,14 @@ constexpr double kFreeShareLater = 0.1;  // more for each later pass
 constexpr double kReserve = 3.0;        // heights that are left to each later pass
 constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
 constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
+constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
 
 /// A source with its nodes of the moment.
 struct Line {
     std::vector<Vertex> nodes;
     std::vector<Point> original;       ///< the picked polyline
     std::vector<std::size_t> index;    ///< of each node in it
+    std::vector<char> sharp;           ///< per edge of it: a feature line too, or the boundary
     bool closed = false;
 };
 
@@ -45,6 +50,7 @@ class MultiPass {
                 line.nodes.emplace_back(source.vertices[i]);
                 line.original.push_back(mesh_.position(line.nodes.back()));
                 line.index.push_back(i);
+                if (i > 0) line.sharp.push_back(is_sharp(mesh_.find_halfedge(line.nodes[i - 1], line.nodes[i])));
             }
             lines_.push_back(std::move(line));
             pass_count_ = std::max(pass_count_, source.passes.size());
@@ -147,6 +153,7 @@ class MultiPass {
         Line thinned;
         thinned.closed = line.closed;
         thinned.original = std::move(line.original);
+        thinned.sharp = std::move(line.sharp);
         for (std::size_t i = 0; i < kept.size(); ++i) {
             if (!kept[i]) continue;
             thinned.nodes.push_back(line.nodes[i]);
@@ -181,7 +188,8 @@ class MultiPass {
                 const std::size_t from = first + static_cast<std::size_t>(a);
                 const std::size_t to = first + static_cast<std::size_t>(b);
                 const double length = (mesh_.position(line.nodes[to]) - mesh_.position(line.nodes[from])).norm();
-                return deviation(line, from, to) <= sagitta && free_ahead(s, line.nodes[from], line.nodes[to], kFreeAhead * length);
+                const double allowed = has_sharp(line, from, to) ? std::min(sagitta, kFeatureSagitta * reference_.diagonal()) : sagitta;
+                return deviation(line, from, to) <= allowed && free_ahead(s, line.nodes[from], line.nodes[to], kFreeAhead * length);
             };
             std::size_t at = first;
             for (const int length : refine_segments(segments, accept)) {
@@ -220,6 +228,18 @@ class MultiPass {
             }
         }
         return true;
+    }
+
+    bool is_sharp(HalfEdge h) const {
+        if (mesh_.is_boundary(M::edge(h))) return true;
+        const Eigen::Vector3d left = doubled_area_vector(mesh_, mesh_.face(h));
+        const Eigen::Vector3d right = doubled_area_vector(mesh_, mesh_.face(M::twin(h)));
+        return std::atan2(left.cross(right).norm(), left.dot(right)) > options_.feature_angle * std::numbers::pi / 180.0;
+    }
+
+    static bool has_sharp(const Line& line, std::size_t a, std::size_t b) {
+        const auto at = [&](std::size_t i) { return line.sharp.begin() + static_cast<std::ptrdiff_t>(line.index[i]); };
+        return std::find(at(a), at(b), 1) != at(b);
     }
 
     /// Largest distance of the picked polyline between two nodes from the straight edge that is to replace it.

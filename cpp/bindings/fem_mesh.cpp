@@ -26,21 +26,42 @@ void call(const py::object& method, const std::array<PyObject*, N>& made) {
     Py_DECREF(result);
 }
 
+/// Lets other threads run between one call in 4096 and the next: FreeCAD's window lives on while a thread of ours fills a mesh.
+void yield_after(py::ssize_t calls) {
+    if (calls % 4096 != 0) return;
+    const py::gil_scoped_release without_gil;
+}
+
+PyObject* list_of(const std::int32_t* nodes, py::ssize_t count) {
+    PyObject* list = PyList_New(count);
+    for (py::ssize_t i = 0; list != nullptr && i < count; ++i) PyList_SET_ITEM(list, i, PyLong_FromLong(nodes[i] + 1L));
+    return list;
+}
+
 /// FreeCAD 0.20 has no bulk call; through bound methods it takes a sixth of the time of a Python loop, and no FreeCAD headers.
 void fill_fem_mesh(const py::object& fem_mesh, const Points& points, const Quads& quads) {
     if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
-    if (quads.ndim() != 2 || quads.shape(1) != 4) throw std::invalid_argument("quads must have shape (Q, 4)");
+    if (quads.ndim() != 2 || (quads.shape(1) != 4 && quads.shape(1) != 8)) {
+        throw std::invalid_argument("quads must have shape (Q, 4) or (Q, 8)");
+    }
     const py::object add_node = fem_mesh.attr("addNode");
     const py::object add_quad = fem_mesh.attr("addQuad");
+    const py::object add_face = fem_mesh.attr("addFace");
     const auto xyz = points.unchecked<2>();
     for (py::ssize_t i = 0; i < points.shape(0); ++i) {
         call<4>(add_node, {PyFloat_FromDouble(xyz(i, 0)), PyFloat_FromDouble(xyz(i, 1)), PyFloat_FromDouble(xyz(i, 2)),
                            PyLong_FromSsize_t(i + 1)});
+        yield_after(i + 1);
     }
     const auto node = quads.unchecked<2>();
     for (py::ssize_t i = 0; i < quads.shape(0); ++i) {
-        call<4>(add_quad, {PyLong_FromLong(node(i, 0) + 1L), PyLong_FromLong(node(i, 1) + 1L), PyLong_FromLong(node(i, 2) + 1L),
-                           PyLong_FromLong(node(i, 3) + 1L)});
+        if (quads.shape(1) == 8) {
+            call<2>(add_face, {list_of(quads.data(i, 0), 8), PyLong_FromSsize_t(i + 1)});
+        } else {
+            call<4>(add_quad, {PyLong_FromLong(node(i, 0) + 1L), PyLong_FromLong(node(i, 1) + 1L),
+                               PyLong_FromLong(node(i, 2) + 1L), PyLong_FromLong(node(i, 3) + 1L)});
+        }
+        yield_after(i + 1);
     }
 }
 
@@ -48,7 +69,7 @@ void fill_fem_mesh(const py::object& fem_mesh, const Points& points, const Quads
 
 void bind_fem_mesh(py::module_& module) {
     module.def("fill_fem_mesh", &fill_fem_mesh, py::arg("fem_mesh"), py::arg("points"), py::arg("quads"),
-               "Add points (N,3) and quads (Q,4) to an empty Fem.FemMesh; node and face ids count from 1.");
+               "Add points (N,3) and quads (Q,4) or (Q,8) to an empty Fem.FemMesh; node and face ids count from 1.");
 }
 
 }  // namespace anisoquad

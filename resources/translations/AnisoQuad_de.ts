@@ -63,6 +63,10 @@
    <translation>Anisotropiequelle hinzufügen</translation>
   </message>
   <message>
+   <source>Adds a line along which rows of long, thin quads are built, such as the leading edge of a wing, and opens a panel to pick it in the view: a click starts the line, a further one extends it along the ridge, a double click takes the whole line, a click with Ctrl cuts it, Esc leaves picking. With edges of a Part object selected, the mesh edges on them are the line. With a quad mesh selected, that one gets the source.</source>
+   <translation>Fügt eine Linie hinzu, an der Reihen langer, schmaler Vierecke entstehen, etwa die Vorderkante eines Flügels, und öffnet ein Fenster, um sie in der Ansicht zu wählen: ein Klick beginnt die Linie, ein weiterer verlängert sie entlang des Grats, ein Doppelklick nimmt die ganze Linie, ein Klick mit Strg kürzt sie, Esc beendet das Wählen. Sind Kanten eines Part-Objekts gewählt, so sind die Netzkanten auf ihnen die Linie. Ist ein Vierecknetz gewählt, so bekommt dieses die Quelle.</translation>
+  </message>
+  <message>
    <source>Pick a line on the selected mesh along which rows of long thin quads are built;
 with edges of a Part object selected, they are the line</source>
    <translation>Auf dem gewählten Netz eine Linie wählen, an der Reihen langer, schmaler Vierecke entstehen;
@@ -79,6 +83,10 @@ sind Kanten eines Part-Objekts gewählt, so sind sie die Linie</translation>
    <source>Edit</source>
    <translation>Bearbeiten</translation>
   </message>
+  <message>
+   <source>Opens the panel of the selected quad mesh or source, as a double click in the tree does. Cancel takes back everything that was changed in it.</source>
+   <translation>Öffnet das Fenster des gewählten Vierecknetzes oder der Quelle, wie ein Doppelklick im Baum. Abbrechen nimmt alles zurück, was darin geändert wurde.</translation>
+  </message>
  </context>
  <context>
   <name>AnisoQuad_Export</name>
@@ -94,12 +102,20 @@ sind Kanten eines Part-Objekts gewählt, so sind sie die Linie</translation>
    <source>Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj</source>
    <translation>Das gewählte Vierecknetz als .vtu, .inp, .msh, .su2 oder .obj schreiben</translation>
   </message>
+  <message>
+   <source>Writes the selected quad mesh to a file: .vtu for ParaView, .inp for CalculiX and Abaqus, .msh for Gmsh, .su2 for SU2, .obj for other programs. Patches, rows, feature lines and sources are kept as named sets where the format has them.</source>
+   <translation>Schreibt das gewählte Vierecknetz in eine Datei: .vtu für ParaView, .inp für CalculiX und Abaqus, .msh für Gmsh, .su2 für SU2, .obj für andere Programme. Flächen, Reihen, Merkmalslinien und Quellen bleiben als benannte Mengen erhalten, wo das Format solche kennt.</translation>
+  </message>
  </context>
  <context>
   <name>AnisoQuad_Preferences</name>
   <message>
    <source>Defaults of new quad meshes and sources</source>
    <translation>Vorgaben für neue Vierecknetze und Quellen</translation>
+  </message>
+  <message>
+   <source>Opens the preferences of the workbench: the anisotropy of new sources, the element order of new quad meshes, whether the triangles are hidden once the quads are there, and the width of the lines of sources.</source>
+   <translation>Öffnet die Einstellungen des Arbeitsbereichs: die Anisotropie neuer Quellen, die Elementordnung neuer Vierecknetze, ob die Dreiecke ausgeblendet werden, sobald die Vierecke da sind, und die Breite der Quelllinien.</translation>
   </message>
   <message>
    <source>Preferences</source>
@@ -115,6 +131,10 @@ with the sources that were added to it before</source>
 mit den Quellen, die vorher hinzugefügt wurden</translation>
   </message>
   <message>
+   <source>Makes a quad mesh of the selected triangle mesh, and opens its panel, in which meshing starts at once. A Part shape is triangulated first. Sources that were added to the triangles before get their rows of long, thin quads. The quad mesh follows its triangles, sources and options: when they change, it is made anew. With an active analysis it becomes a part of it.</source>
+   <translation>Macht ein Vierecknetz aus dem gewählten Dreiecksnetz und öffnet sein Fenster, in dem das Vernetzen sofort beginnt. Ein Part-Körper wird zuerst in Dreiecke zerlegt. Quellen, die vorher zu den Dreiecken hinzugefügt wurden, bekommen ihre Reihen langer, schmaler Vierecke. Das Vierecknetz folgt seinen Dreiecken, Quellen und Optionen: ändern sie sich, so wird es neu gemacht. Ist eine Analyse aktiv, so wird es ein Teil von ihr.</translation>
+  </message>
+  <message>
    <source>Quad mesh from mesh</source>
    <translation>Vierecknetz aus Netz</translation>
   </message>
@@ -124,6 +144,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   <message>
    <source>Colour the selected quad mesh by its quality, and list the worst quads</source>
    <translation>Das gewählte Vierecknetz nach seiner Güte färben und die schlechtesten Vierecke aufzählen</translation>
+  </message>
+  <message>
+   <source>Colours the selected quad mesh by a measure of its quads: scaled Jacobian, aspect ratio, skew, size or row. Red is bad, blue is good. The panel shows the measure's histogram, and lists the worst quads; a click on one zooms to it. Closing the panel brings the mesh's own look back.</source>
+   <translation>Färbt das gewählte Vierecknetz nach einem Maß seiner Vierecke: skalierte Jacobi-Determinante, Seitenverhältnis, Schiefe, Größe oder Reihe. Rot ist schlecht, blau ist gut. Das Fenster zeigt die Verteilung des Maßes und nennt die schlechtesten Vierecke; ein Klick auf eines führt zu ihm. Wird das Fenster geschlossen, so sieht das Netz wieder aus wie vorher.</translation>
   </message>
   <message>
    <source>Quality</source>
@@ -137,8 +161,103 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Vorder- und Hinterkanten des gewählten Netzes finden</translation>
   </message>
   <message>
+   <source>Looks for long, smooth ridges of the selected mesh, as leading and trailing edges are, and lists them in a panel. Those that are ticked become sources. With a quad mesh selected, that one gets them.</source>
+   <translation>Sucht lange, glatte Grate des gewählten Netzes, wie es Vorder- und Hinterkanten sind, und zeigt sie in einer Liste. Angekreuzte werden zu Quellen. Ist ein Vierecknetz gewählt, so bekommt dieses sie.</translation>
+  </message>
+  <message>
    <source>Suggest leading edges</source>
    <translation>Vorderkanten vorschlagen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Options</name>
+  <message>
+   <source>Cleanup</source>
+   <translation>Aufräumen</translation>
+  </message>
+  <message>
+   <source>Curvature angle</source>
+   <translation>Krümmungswinkel</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge may turn along the surface where patches are remeshed; 0: any</source>
+   <translation>Grad, um die sich eine Kante längs der Fläche drehen darf, wo Flächen neu zerlegt werden; 0: beliebig</translation>
+  </message>
+  <message>
+   <source>Degrees; edges whose facets turn by more are feature lines</source>
+   <translation>Grad; Kanten, an denen sich die Dreiecke um mehr drehen, sind Merkmalslinien</translation>
+  </message>
+  <message>
+   <source>Feature angle</source>
+   <translation>Kantenwinkel</translation>
+  </message>
+  <message>
+   <source>Feature edges</source>
+   <translation>Merkmalskanten</translation>
+  </message>
+  <message>
+   <source>Further feature edges, as pairs of input vertex ids</source>
+   <translation>Weitere Merkmalskanten, als Paare von Punktnummern der Eingabe</translation>
+  </message>
+  <message>
+   <source>Growth</source>
+   <translation>Wachstum</translation>
+  </message>
+  <message>
+   <source>Limit between the sizes of neighbouring elements where patches are remeshed</source>
+   <translation>Grenze zwischen den Größen benachbarter Elemente, wo Flächen neu zerlegt werden</translation>
+  </message>
+  <message>
+   <source>Limit of sweeps of the final smoothing</source>
+   <translation>Grenze der Durchgänge der letzten Glättung</translation>
+  </message>
+  <message>
+   <source>Limit of the height of a row over that of the row before</source>
+   <translation>Grenze der Höhe einer Reihe gegenüber der vorigen</translation>
+  </message>
+  <message>
+   <source>Mend bad input instead of rejecting it; the report says what was changed</source>
+   <translation>Schlechte Eingabe ausbessern statt sie abzulehnen; der Bericht sagt, was geändert wurde</translation>
+  </message>
+  <message>
+   <source>Prepare</source>
+   <translation>Vorbereiten</translation>
+  </message>
+  <message>
+   <source>Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded</source>
+   <translation>Flächen zuerst neu in Dreiecke zerlegen, deren Dreiecke keine Vierecke tragen können: zu lang und schmal, oder zu schnell wechselnd</translation>
+  </message>
+  <message>
+   <source>Repair</source>
+   <translation>Ausbessern</translation>
+  </message>
+  <message>
+   <source>Row growth</source>
+   <translation>Wachstum der Reihen</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <source>Smoothing passes</source>
+   <translation>Glättungsdurchgänge</translation>
+  </message>
+  <message>
+   <source>Topological clean-up after the fill</source>
+   <translation>Topologisches Aufräumen nach dem Füllen</translation>
+  </message>
+  <message>
+   <source>Vertex size</source>
+   <translation>Größe an den Punkten</translation>
+  </message>
+  <message>
+   <source>Wanted edge length of the quads; remeshes all patches. 0: that of the triangles</source>
+   <translation>Gewünschte Kantenlänge der Vierecke; alle Flächen werden neu zerlegt. 0: die der Dreiecke</translation>
+  </message>
+  <message>
+   <source>Wanted edge lengths, one per input vertex, instead of size</source>
+   <translation>Gewünschte Kantenlängen, eine je Punkt der Eingabe, statt der Größe</translation>
   </message>
  </context>
  <context>

@@ -63,6 +63,10 @@
    <translation>Añadir fuente de anisotropía</translation>
   </message>
   <message>
+   <source>Adds a line along which rows of long, thin quads are built, such as the leading edge of a wing, and opens a panel to pick it in the view: a click starts the line, a further one extends it along the ridge, a double click takes the whole line, a click with Ctrl cuts it, Esc leaves picking. With edges of a Part object selected, the mesh edges on them are the line. With a quad mesh selected, that one gets the source.</source>
+   <translation>Añade una línea junto a la cual se construyen filas de cuadriláteros largos y finos, como el borde de ataque de un ala, y abre un panel para elegirla en la vista: un clic empieza la línea, otro la prolonga por la cresta, un doble clic toma toda la línea, un clic con Ctrl la corta, Esc sale. Si hay aristas de un objeto Part seleccionadas, las aristas de la malla sobre ellas son la línea. Si hay una malla de cuadriláteros seleccionada, ella recibe la fuente.</translation>
+  </message>
+  <message>
    <source>Pick a line on the selected mesh along which rows of long thin quads are built;
 with edges of a Part object selected, they are the line</source>
    <translation>Elegir en la malla seleccionada una línea junto a la cual se construyen filas de cuadriláteros largos y finos;
@@ -79,6 +83,10 @@ si hay aristas de un objeto Part seleccionadas, ellas son la línea</translation
    <source>Edit</source>
    <translation>Editar</translation>
   </message>
+  <message>
+   <source>Opens the panel of the selected quad mesh or source, as a double click in the tree does. Cancel takes back everything that was changed in it.</source>
+   <translation>Abre el panel de la malla de cuadriláteros o de la fuente seleccionada, como un doble clic en el árbol. Cancelar deshace todo lo que se cambió en él.</translation>
+  </message>
  </context>
  <context>
   <name>AnisoQuad_Export</name>
@@ -94,12 +102,20 @@ si hay aristas de un objeto Part seleccionadas, ellas son la línea</translation
    <source>Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj</source>
    <translation>Escribir la malla de cuadriláteros seleccionada como .vtu, .inp, .msh, .su2 u .obj</translation>
   </message>
+  <message>
+   <source>Writes the selected quad mesh to a file: .vtu for ParaView, .inp for CalculiX and Abaqus, .msh for Gmsh, .su2 for SU2, .obj for other programs. Patches, rows, feature lines and sources are kept as named sets where the format has them.</source>
+   <translation>Escribe la malla de cuadriláteros seleccionada en un archivo: .vtu para ParaView, .inp para CalculiX y Abaqus, .msh para Gmsh, .su2 para SU2, .obj para otros programas. Las caras, filas, líneas características y fuentes se conservan como conjuntos con nombre donde el formato los tiene.</translation>
+  </message>
  </context>
  <context>
   <name>AnisoQuad_Preferences</name>
   <message>
    <source>Defaults of new quad meshes and sources</source>
    <translation>Valores por defecto de mallas y fuentes nuevas</translation>
+  </message>
+  <message>
+   <source>Opens the preferences of the workbench: the anisotropy of new sources, the element order of new quad meshes, whether the triangles are hidden once the quads are there, and the width of the lines of sources.</source>
+   <translation>Abre las preferencias del entorno de trabajo: la anisotropía de las fuentes nuevas, el orden de los elementos de las mallas nuevas, si los triángulos se ocultan cuando están los cuadriláteros y el ancho de las líneas de las fuentes.</translation>
   </message>
   <message>
    <source>Preferences</source>
@@ -115,6 +131,10 @@ with the sources that were added to it before</source>
 con las fuentes que se le añadieron antes</translation>
   </message>
   <message>
+   <source>Makes a quad mesh of the selected triangle mesh, and opens its panel, in which meshing starts at once. A Part shape is triangulated first. Sources that were added to the triangles before get their rows of long, thin quads. The quad mesh follows its triangles, sources and options: when they change, it is made anew. With an active analysis it becomes a part of it.</source>
+   <translation>Hace una malla de cuadriláteros de la malla de triángulos seleccionada y abre su panel, donde el mallado empieza enseguida. Una forma Part se triangula primero. Las fuentes añadidas antes a los triángulos reciben sus filas de cuadriláteros largos y finos. La malla sigue a sus triángulos, fuentes y opciones: cuando cambian, se hace de nuevo. Si hay un análisis activo, pasa a ser parte de él.</translation>
+  </message>
+  <message>
    <source>Quad mesh from mesh</source>
    <translation>Malla de cuadriláteros a partir de malla</translation>
   </message>
@@ -124,6 +144,10 @@ con las fuentes que se le añadieron antes</translation>
   <message>
    <source>Colour the selected quad mesh by its quality, and list the worst quads</source>
    <translation>Colorear la malla seleccionada según su calidad y listar los peores cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Colours the selected quad mesh by a measure of its quads: scaled Jacobian, aspect ratio, skew, size or row. Red is bad, blue is good. The panel shows the measure's histogram, and lists the worst quads; a click on one zooms to it. Closing the panel brings the mesh's own look back.</source>
+   <translation>Colorea la malla de cuadriláteros seleccionada según una medida: jacobiano escalado, relación de aspecto, sesgo, tamaño o fila. Rojo es malo, azul es bueno. El panel muestra el histograma de la medida y da los peores cuadriláteros; un clic en uno lo enfoca. Al cerrar el panel, la malla recupera su aspecto.</translation>
   </message>
   <message>
    <source>Quality</source>
@@ -137,8 +161,103 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Encontrar los bordes de ataque y de salida de la malla seleccionada</translation>
   </message>
   <message>
+   <source>Looks for long, smooth ridges of the selected mesh, as leading and trailing edges are, and lists them in a panel. Those that are ticked become sources. With a quad mesh selected, that one gets them.</source>
+   <translation>Busca crestas largas y suaves de la malla seleccionada, como son los bordes de ataque y de salida, y las muestra en una lista. Las marcadas se convierten en fuentes. Si hay una malla de cuadriláteros seleccionada, ella las recibe.</translation>
+  </message>
+  <message>
    <source>Suggest leading edges</source>
    <translation>Sugerir bordes de ataque</translation>
+  </message>
+ </context>
+ <context>
+  <name>Options</name>
+  <message>
+   <source>Cleanup</source>
+   <translation>Limpieza</translation>
+  </message>
+  <message>
+   <source>Curvature angle</source>
+   <translation>Ángulo de curvatura</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge may turn along the surface where patches are remeshed; 0: any</source>
+   <translation>Grados que puede girar una arista a lo largo de la superficie donde se mallan caras de nuevo; 0: cualquiera</translation>
+  </message>
+  <message>
+   <source>Degrees; edges whose facets turn by more are feature lines</source>
+   <translation>Grados; las aristas en que los triángulos giran más son líneas características</translation>
+  </message>
+  <message>
+   <source>Feature angle</source>
+   <translation>Ángulo de aristas vivas</translation>
+  </message>
+  <message>
+   <source>Feature edges</source>
+   <translation>Aristas características</translation>
+  </message>
+  <message>
+   <source>Further feature edges, as pairs of input vertex ids</source>
+   <translation>Otras aristas características, como pares de números de puntos de entrada</translation>
+  </message>
+  <message>
+   <source>Growth</source>
+   <translation>Crecimiento</translation>
+  </message>
+  <message>
+   <source>Limit between the sizes of neighbouring elements where patches are remeshed</source>
+   <translation>Límite entre los tamaños de elementos vecinos donde se mallan caras de nuevo</translation>
+  </message>
+  <message>
+   <source>Limit of sweeps of the final smoothing</source>
+   <translation>Límite de pasadas del suavizado final</translation>
+  </message>
+  <message>
+   <source>Limit of the height of a row over that of the row before</source>
+   <translation>Límite de la altura de una fila respecto a la anterior</translation>
+  </message>
+  <message>
+   <source>Mend bad input instead of rejecting it; the report says what was changed</source>
+   <translation>Reparar una entrada mala en vez de rechazarla; el informe dice qué se cambió</translation>
+  </message>
+  <message>
+   <source>Prepare</source>
+   <translation>Preparar</translation>
+  </message>
+  <message>
+   <source>Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded</source>
+   <translation>Mallar primero de nuevo las caras cuyos triángulos no pueden llevar cuadriláteros: demasiado largos y finos, o de tamaño que cambia demasiado rápido</translation>
+  </message>
+  <message>
+   <source>Repair</source>
+   <translation>Reparar</translation>
+  </message>
+  <message>
+   <source>Row growth</source>
+   <translation>Crecimiento de las filas</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Tamaño</translation>
+  </message>
+  <message>
+   <source>Smoothing passes</source>
+   <translation>Pasadas de suavizado</translation>
+  </message>
+  <message>
+   <source>Topological clean-up after the fill</source>
+   <translation>Limpieza topológica tras el relleno</translation>
+  </message>
+  <message>
+   <source>Vertex size</source>
+   <translation>Tamaño en los puntos</translation>
+  </message>
+  <message>
+   <source>Wanted edge length of the quads; remeshes all patches. 0: that of the triangles</source>
+   <translation>Longitud de arista deseada de los cuadriláteros; malla de nuevo todas las caras. 0: la de los triángulos</translation>
+  </message>
+  <message>
+   <source>Wanted edge lengths, one per input vertex, instead of size</source>
+   <translation>Longitudes de arista deseadas, una por punto de entrada, en vez del tamaño</translation>
   </message>
  </context>
  <context>

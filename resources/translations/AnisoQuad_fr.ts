@@ -63,6 +63,10 @@
    <translation>Ajouter une source d’anisotropie</translation>
   </message>
   <message>
+   <source>Adds a line along which rows of long, thin quads are built, such as the leading edge of a wing, and opens a panel to pick it in the view: a click starts the line, a further one extends it along the ridge, a double click takes the whole line, a click with Ctrl cuts it, Esc leaves picking. With edges of a Part object selected, the mesh edges on them are the line. With a quad mesh selected, that one gets the source.</source>
+   <translation>Ajoute une ligne le long de laquelle naissent des rangées de quadrangles longs et fins, comme le bord d’attaque d’une aile, et ouvre un panneau pour la choisir dans la vue : un clic commence la ligne, un autre la prolonge le long de la crête, un double-clic prend toute la ligne, un clic avec Ctrl la coupe, Échap quitte. Si des arêtes d’un objet Part sont sélectionnées, les arêtes du maillage sur elles sont la ligne. Si un maillage quadrangulaire est sélectionné, c’est lui qui reçoit la source.</translation>
+  </message>
+  <message>
    <source>Pick a line on the selected mesh along which rows of long thin quads are built;
 with edges of a Part object selected, they are the line</source>
    <translation>Choisir sur le maillage sélectionné une ligne le long de laquelle naissent des rangées de quadrangles longs et fins ;
@@ -79,6 +83,10 @@ si des arêtes d’un objet Part sont sélectionnées, elles sont la ligne</tran
    <source>Edit</source>
    <translation>Modifier</translation>
   </message>
+  <message>
+   <source>Opens the panel of the selected quad mesh or source, as a double click in the tree does. Cancel takes back everything that was changed in it.</source>
+   <translation>Ouvre le panneau du maillage quadrangulaire ou de la source sélectionnés, comme un double-clic dans l’arborescence. Annuler défait tout ce qui y a été changé.</translation>
+  </message>
  </context>
  <context>
   <name>AnisoQuad_Export</name>
@@ -94,12 +102,20 @@ si des arêtes d’un objet Part sont sélectionnées, elles sont la ligne</tran
    <source>Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj</source>
    <translation>Écrire le maillage quadrangulaire sélectionné en .vtu, .inp, .msh, .su2 ou .obj</translation>
   </message>
+  <message>
+   <source>Writes the selected quad mesh to a file: .vtu for ParaView, .inp for CalculiX and Abaqus, .msh for Gmsh, .su2 for SU2, .obj for other programs. Patches, rows, feature lines and sources are kept as named sets where the format has them.</source>
+   <translation>Écrit le maillage quadrangulaire sélectionné dans un fichier : .vtu pour ParaView, .inp pour CalculiX et Abaqus, .msh pour Gmsh, .su2 pour SU2, .obj pour d’autres programmes. Les faces, rangées, lignes caractéristiques et sources sont gardées comme ensembles nommés là où le format en a.</translation>
+  </message>
  </context>
  <context>
   <name>AnisoQuad_Preferences</name>
   <message>
    <source>Defaults of new quad meshes and sources</source>
    <translation>Valeurs par défaut des nouveaux maillages et sources</translation>
+  </message>
+  <message>
+   <source>Opens the preferences of the workbench: the anisotropy of new sources, the element order of new quad meshes, whether the triangles are hidden once the quads are there, and the width of the lines of sources.</source>
+   <translation>Ouvre les préférences de l’atelier : l’anisotropie des nouvelles sources, l’ordre des éléments des nouveaux maillages quadrangulaires, si les triangles sont cachés une fois les quadrangles faits, et la largeur des lignes des sources.</translation>
   </message>
   <message>
    <source>Preferences</source>
@@ -115,6 +131,10 @@ with the sources that were added to it before</source>
 avec les sources ajoutées auparavant</translation>
   </message>
   <message>
+   <source>Makes a quad mesh of the selected triangle mesh, and opens its panel, in which meshing starts at once. A Part shape is triangulated first. Sources that were added to the triangles before get their rows of long, thin quads. The quad mesh follows its triangles, sources and options: when they change, it is made anew. With an active analysis it becomes a part of it.</source>
+   <translation>Fait un maillage quadrangulaire du maillage de triangles sélectionné et ouvre son panneau, où le maillage commence aussitôt. Une forme Part est d’abord triangulée. Les sources ajoutées auparavant aux triangles reçoivent leurs rangées de quadrangles longs et fins. Le maillage suit ses triangles, ses sources et ses options : quand ils changent, il est refait. Si une analyse est active, il en devient une partie.</translation>
+  </message>
+  <message>
    <source>Quad mesh from mesh</source>
    <translation>Maillage quadrangulaire à partir d’un maillage</translation>
   </message>
@@ -124,6 +144,10 @@ avec les sources ajoutées auparavant</translation>
   <message>
    <source>Colour the selected quad mesh by its quality, and list the worst quads</source>
    <translation>Colorer le maillage sélectionné selon sa qualité et lister les pires quadrangles</translation>
+  </message>
+  <message>
+   <source>Colours the selected quad mesh by a measure of its quads: scaled Jacobian, aspect ratio, skew, size or row. Red is bad, blue is good. The panel shows the measure's histogram, and lists the worst quads; a click on one zooms to it. Closing the panel brings the mesh's own look back.</source>
+   <translation>Colore le maillage quadrangulaire sélectionné selon une mesure de ses quadrangles : jacobien normalisé, rapport d’aspect, biais, taille ou rangée. Rouge est mauvais, bleu est bon. Le panneau montre l’histogramme de la mesure et donne les pires quadrangles ; un clic y mène. Quand le panneau se ferme, le maillage reprend son aspect.</translation>
   </message>
   <message>
    <source>Quality</source>
@@ -137,8 +161,103 @@ avec les sources ajoutées auparavant</translation>
    <translation>Trouver les bords d’attaque et de fuite du maillage sélectionné</translation>
   </message>
   <message>
+   <source>Looks for long, smooth ridges of the selected mesh, as leading and trailing edges are, and lists them in a panel. Those that are ticked become sources. With a quad mesh selected, that one gets them.</source>
+   <translation>Cherche de longues crêtes lisses du maillage sélectionné, comme le sont les bords d’attaque et de fuite, et les montre dans une liste. Celles qui sont cochées deviennent des sources. Si un maillage quadrangulaire est sélectionné, c’est lui qui les reçoit.</translation>
+  </message>
+  <message>
    <source>Suggest leading edges</source>
    <translation>Proposer des bords d’attaque</translation>
+  </message>
+ </context>
+ <context>
+  <name>Options</name>
+  <message>
+   <source>Cleanup</source>
+   <translation>Nettoyage</translation>
+  </message>
+  <message>
+   <source>Curvature angle</source>
+   <translation>Angle de courbure</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge may turn along the surface where patches are remeshed; 0: any</source>
+   <translation>Degrés dont une arête peut tourner le long de la surface là où des faces sont remaillées ; 0 : autant que l’on veut</translation>
+  </message>
+  <message>
+   <source>Degrees; edges whose facets turn by more are feature lines</source>
+   <translation>Degrés ; les arêtes où les triangles tournent davantage sont des lignes caractéristiques</translation>
+  </message>
+  <message>
+   <source>Feature angle</source>
+   <translation>Angle des arêtes vives</translation>
+  </message>
+  <message>
+   <source>Feature edges</source>
+   <translation>Arêtes caractéristiques</translation>
+  </message>
+  <message>
+   <source>Further feature edges, as pairs of input vertex ids</source>
+   <translation>Autres arêtes caractéristiques, en paires de numéros de points donnés</translation>
+  </message>
+  <message>
+   <source>Growth</source>
+   <translation>Croissance</translation>
+  </message>
+  <message>
+   <source>Limit between the sizes of neighbouring elements where patches are remeshed</source>
+   <translation>Limite entre les tailles d’éléments voisins là où des faces sont remaillées</translation>
+  </message>
+  <message>
+   <source>Limit of sweeps of the final smoothing</source>
+   <translation>Limite des passes du lissage final</translation>
+  </message>
+  <message>
+   <source>Limit of the height of a row over that of the row before</source>
+   <translation>Limite de la hauteur d’une rangée par rapport à la précédente</translation>
+  </message>
+  <message>
+   <source>Mend bad input instead of rejecting it; the report says what was changed</source>
+   <translation>Réparer une mauvaise entrée au lieu de la refuser ; le rapport dit ce qui a été changé</translation>
+  </message>
+  <message>
+   <source>Prepare</source>
+   <translation>Préparer</translation>
+  </message>
+  <message>
+   <source>Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded</source>
+   <translation>Remailler d’abord les faces dont les triangles ne peuvent porter de quadrangles : trop longs et fins, ou de taille trop vite changeante</translation>
+  </message>
+  <message>
+   <source>Repair</source>
+   <translation>Réparer</translation>
+  </message>
+  <message>
+   <source>Row growth</source>
+   <translation>Croissance des rangées</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <source>Smoothing passes</source>
+   <translation>Passes de lissage</translation>
+  </message>
+  <message>
+   <source>Topological clean-up after the fill</source>
+   <translation>Nettoyage topologique après le remplissage</translation>
+  </message>
+  <message>
+   <source>Vertex size</source>
+   <translation>Taille aux points</translation>
+  </message>
+  <message>
+   <source>Wanted edge length of the quads; remeshes all patches. 0: that of the triangles</source>
+   <translation>Longueur d’arête voulue des quadrangles ; remaille toutes les faces. 0 : celle des triangles</translation>
+  </message>
+  <message>
+   <source>Wanted edge lengths, one per input vertex, instead of size</source>
+   <translation>Longueurs d’arête voulues, une par point donné, au lieu de la taille</translation>
   </message>
  </context>
  <context>

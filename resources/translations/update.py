@@ -1,6 +1,7 @@
 """Brings the .ts files up to date with the sources: new texts are added, lost ones go, translations stay.
 
-python3 resources/translations/update.py; then translate what is marked unfinished, e.g. in Qt Linguist. `make translations` compiles.
+After `make build`, whose core tells the options: python3 resources/translations/update.py; then translate what is marked unfinished, e.g.
+in Qt Linguist. `make translations` compiles.
 """
 
 import ast
@@ -28,9 +29,11 @@ def texts():
         context = tree.findtext("class")
         found.setdefault(context, set()).update(node.text for node in tree.iter("string") if node.text)
     sys.path.insert(0, str(ROOT / "Mod"))
+    from anisoquad.objects.option_properties import option_fields, option_label
     from anisoquad.quality_measures import MEASURES
 
     found.setdefault("QualityPanel", set()).update(measure.title for measure in MEASURES.values())
+    found["Options"] = {text for field, doc in option_fields().items() for text in (option_label(field), doc)}
     return found
 
 

@@ -4,11 +4,13 @@ import json
 import os
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 from documents import DocumentTest, square
 
 import anisoquad
+from anisoquad import convert
 from anisoquad.objects.mesh_job import MeshJob
 
 LOWER_EDGE = [0, 1, 2, 3, 4, 5, 6]
@@ -79,6 +81,31 @@ class Object(DocumentTest):
         self.doc.recompute()
         self.assert_filled(obj)
         self.assertGreater(obj.Quads, quads)
+
+    def test_the_base_is_read_once_and_again_after_a_change(self):
+        obj = self.make(sources=[LOWER_EDGE])
+        with mock.patch.object(convert, "mesh_content", wraps=convert.mesh_content) as read:
+            self.base.Mesh = square(10)
+            self.doc.recompute()
+            self.assertEqual(read.call_count, 1)
+            obj.touch()
+            obj.Sources[0].touch()
+            self.doc.recompute()
+            self.assertEqual(read.call_count, 1)
+
+    def test_what_was_prepared_for_the_document_is_taken_once(self):
+        obj = self.make(sources=[LOWER_EDGE], element_order=2)
+        job = MeshJob.of(obj)
+        run = job.run_for_document()
+        prepared = run.take_fem_mesh(job)
+        again = run.take_fem_mesh(job)
+        self.assertIsNot(prepared, again)
+        for mesh in (prepared, again, obj.FemMesh):
+            self.assertEqual((mesh.NodeCount, mesh.FaceCount, mesh.GroupCount),
+                             (obj.FemMesh.NodeCount, obj.Quads, obj.FemMesh.GroupCount))
+            self.assertEqual(mesh.getElementNodes(1), obj.FemMesh.getElementNodes(1))
+        self.assertEqual(len(prepared.getElementNodes(1)), 8)
+        self.assertEqual(run.packed, obj.QuadData)
 
     def test_it_follows_the_placement_of_the_base(self):
         obj = self.make()

@@ -49,6 +49,18 @@ class QuadMeshPanel(WindowTest):
         self.assertGreater(self.pixels_like((232, 89, 64)), before + 500)
         self.screenshot("panel")
 
+    def test_rows_that_are_known_are_previewed_at_once(self):
+        quads = self.make_quad_mesh(anisotropy=16)
+        form = self.open(quads)
+        preview, stop = form.findChild(object, "preview"), form.findChild(object, "cancel")
+        for passes, known in (("1:16", True), ("4:2", False), ("4:2", True)):
+            form.findChild(object, "sources").item(0, 3).setText(passes)
+            preview.setChecked(True)
+            self.assertEqual(stop.isEnabled(), not known, passes)
+            self.assertTrue(wait(lambda: not stop.isEnabled(), 30))
+            self.assertGreater(self.pixels_like((232, 89, 64)), 100)
+            preview.setChecked(False)
+
     def test_apply_changes_the_mesh_and_cancel_takes_it_back(self):
         quads = self.make_quad_mesh()
         before = quads.Quads, self.nodes(quads)

@@ -39,3 +39,13 @@ class SuggestPanel(WindowTest):
         self.button("Cancel").click()
         wait()
         self.assertEqual(len(self.doc.Objects), 1)
+
+    def test_it_opens_as_often_as_one_likes(self):
+        # The memory of a closed panel is used again: no widget may be taken for what was there before.
+        for _ in range(40):
+            self.select(self.base)
+            FreeCADGui.runCommand("AnisoQuad_SuggestSources")
+            wait(seconds=0.02)
+            self.assertGreaterEqual(self.panel("SuggestPanel").findChild(object, "lines").count(), 1)
+            self.button("Cancel").click()
+            wait(seconds=0.01)

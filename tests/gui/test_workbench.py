@@ -27,6 +27,7 @@ class Workbench(WindowTest):
                 resources = command.GetResources()
                 self.assertFalse(QtGui.QIcon(resources["Pixmap"]).pixmap(64, 64).isNull())
                 self.assertTrue(resources["MenuText"] and resources["ToolTip"])
+                self.assertGreater(len(resources["WhatsThis"]), 100)
                 self.assertIn(command.NAME, FreeCADGui.listCommands())
                 shortcuts.append(resources.get("Accel"))
         used = [shortcut for shortcut in shortcuts if shortcut]
@@ -49,6 +50,25 @@ class Workbench(WindowTest):
             FreeCADGui.setLocale(language)
             wait(seconds=0.1)
             self.assertEqual(translate("AnisoQuad_QuadMesh", "Quad mesh from mesh"), text)
+
+    def test_whats_this_and_options_are_in_the_users_language(self):
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        FreeCADGui.setLocale("German")
+        wait(seconds=0.1)
+        bar = next(bar for bar in FreeCADGui.getMainWindow().findChildren(qt_widgets().QToolBar) if bar.objectName() == "AnisoQuad")
+        pages = [action.whatsThis() for action in bar.actions() if not action.isSeparator()]
+        self.assertIn("Vierecknetz aus dem gewählten Dreiecksnetz", pages[0])
+        for command, page in zip(filter(None, all_commands()), pages):
+            self.assertEqual(page, translate(command.NAME, command.WHATS_THIS))
+            self.assertNotEqual(page, command.WHATS_THIS)
+        quads = self.make_quad_mesh()
+        FreeCADGui.ActiveDocument.setEdit(quads.Name)
+        form = self.panel("QuadMeshPanel")
+        growth = form.findChild(object, "RowGrowth")
+        self.assertEqual(form.findChild(object, "options").labelForField(growth).text(), "Wachstum der Reihen")
+        self.assertIn("Höhe einer Reihe", growth.toolTip())
+        self.screenshot("german")
+        self.button("Abbrechen").click()
 
     def test_the_window_shows_it(self):
         self.select(self.base)

@@ -1,6 +1,5 @@
 """What the tests do in the window: wait, move the mouse, press keys, take pictures."""
 
-import gc
 import json
 import os
 import tempfile
@@ -61,7 +60,6 @@ class WindowTest(unittest.TestCase):
         for name in list(FreeCAD.listDocuments()):
             FreeCAD.closeDocument(name)
         wait()
-        gc.collect()  # a new widget at the place of an old one would be taken for it
 
     def select(self, *objects):
         FreeCADGui.Selection.clearSelection()

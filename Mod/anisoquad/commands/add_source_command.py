@@ -18,6 +18,12 @@ class AddSourceCommand(Command):
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_AddSource",
                                 "Pick a line on the selected mesh along which rows of long thin quads are built;\n"
                                 "with edges of a Part object selected, they are the line")
+    WHATS_THIS = QT_TRANSLATE_NOOP("AnisoQuad_AddSource",
+                                   "Adds a line along which rows of long, thin quads are built, such as the leading edge of a wing, "
+                                   "and opens a panel to pick it in the view: a click starts the line, a further one extends it "
+                                   "along the ridge, a double click takes the whole line, a click with Ctrl cuts it, Esc leaves "
+                                   "picking. With edges of a Part object selected, the mesh edges on them are the line. With a quad "
+                                   "mesh selected, that one gets the source.")
     ICON = "add_source"
     SHORTCUT = "Q, A"
 

@@ -9,17 +9,21 @@ from ..resources import icon
 
 
 class Command:
-    """A command of the workbench; its texts are translated by FreeCAD in the context NAME."""
+    """A command of the workbench; its texts are translated by FreeCAD in the context NAME.
+
+    WHATS_THIS -- what Shift+F1 and a click on the command show: what it does, in a few sentences
+    """
 
     NAME = ""
     MENU = ""
     TOOLTIP = ""
+    WHATS_THIS = ""
     ICON = ""
     SHORTCUT = ""
 
     def GetResources(self):
         resources = {"Pixmap": icon(self.ICON), "MenuText": self.MENU, "ToolTip": self.TOOLTIP, "StatusTip": self.TOOLTIP,
-                     "WhatsThis": self.NAME}
+                     "WhatsThis": self.WHATS_THIS}
         if self.SHORTCUT:
             resources["Accel"] = self.SHORTCUT
         return resources

@@ -13,6 +13,9 @@ class EditCommand(Command):
     NAME = "AnisoQuad_Edit"
     MENU = QT_TRANSLATE_NOOP("AnisoQuad_Edit", "Edit")
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_Edit", "Change the selected quad mesh or source")
+    WHATS_THIS = QT_TRANSLATE_NOOP("AnisoQuad_Edit",
+                                   "Opens the panel of the selected quad mesh or source, as a double click in the tree does. Cancel "
+                                   "takes back everything that was changed in it.")
     ICON = "edit"
     SHORTCUT = "Q, E"
 

@@ -16,6 +16,10 @@ class ExportCommand(Command):
     NAME = "AnisoQuad_Export"
     MENU = QT_TRANSLATE_NOOP("AnisoQuad_Export", "Export")
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_Export", "Write the selected quad mesh as .vtu, .inp, .msh, .su2 or .obj")
+    WHATS_THIS = QT_TRANSLATE_NOOP("AnisoQuad_Export",
+                                   "Writes the selected quad mesh to a file: .vtu for ParaView, .inp for CalculiX and Abaqus, .msh "
+                                   "for Gmsh, .su2 for SU2, .obj for other programs. Patches, rows, feature lines and sources are "
+                                   "kept as named sets where the format has them.")
     ICON = "export"
     SHORTCUT = "Q, X"
 

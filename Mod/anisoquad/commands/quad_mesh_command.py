@@ -18,6 +18,11 @@ class QuadMeshCommand(Command):
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_QuadMesh",
                                 "Make an all-quad surface mesh of the selected triangle mesh or Part shape,\n"
                                 "with the sources that were added to it before")
+    WHATS_THIS = QT_TRANSLATE_NOOP("AnisoQuad_QuadMesh",
+                                   "Makes a quad mesh of the selected triangle mesh, and opens its panel, in which meshing starts at "
+                                   "once. A Part shape is triangulated first. Sources that were added to the triangles before get "
+                                   "their rows of long, thin quads. The quad mesh follows its triangles, sources and options: when "
+                                   "they change, it is made anew. With an active analysis it becomes a part of it.")
     ICON = "quad_mesh"
     SHORTCUT = "Q, M"
 

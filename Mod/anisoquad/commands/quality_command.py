@@ -13,6 +13,10 @@ class QualityCommand(Command):
     NAME = "AnisoQuad_Quality"
     MENU = QT_TRANSLATE_NOOP("AnisoQuad_Quality", "Quality")
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_Quality", "Colour the selected quad mesh by its quality, and list the worst quads")
+    WHATS_THIS = QT_TRANSLATE_NOOP("AnisoQuad_Quality",
+                                   "Colours the selected quad mesh by a measure of its quads: scaled Jacobian, aspect ratio, skew, "
+                                   "size or row. Red is bad, blue is good. The panel shows the measure's histogram, and lists the "
+                                   "worst quads; a click on one zooms to it. Closing the panel brings the mesh's own look back.")
     ICON = "quality"
     SHORTCUT = "Q, Q"
 

@@ -13,6 +13,10 @@ class SuggestSourcesCommand(Command):
     NAME = "AnisoQuad_SuggestSources"
     MENU = QT_TRANSLATE_NOOP("AnisoQuad_SuggestSources", "Suggest leading edges")
     TOOLTIP = QT_TRANSLATE_NOOP("AnisoQuad_SuggestSources", "Find the leading and trailing edges of the selected mesh")
+    WHATS_THIS = QT_TRANSLATE_NOOP("AnisoQuad_SuggestSources",
+                                   "Looks for long, smooth ridges of the selected mesh, as leading and trailing edges are, and lists "
+                                   "them in a panel. Those that are ticked become sources. With a quad mesh selected, that one gets "
+                                   "them.")
     ICON = "suggest"
     SHORTCUT = "Q, S"
 

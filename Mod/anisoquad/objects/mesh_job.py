@@ -1,29 +1,20 @@
 """One run of the mesher, apart from the document: made of an object's properties, run anywhere, also off the GUI's thread."""
 
 import zlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
-from .. import convert
-from ..compat import global_placement
 from ..errors import MeshError
 from ..meshing import Options, quad_mesh
-from ..quad_mesh_result import QuadMesh
-from ..second_order import SecondOrder, second_order
+from ..second_order import second_order
 from ..surface_lines import imprint
+from .base_mesh import base_arrays
+from .mesh_run import MeshRun
 from .option_properties import options_of
 from .shape_link import shape_behind
 from .source_object import source_of
-
-
-@dataclass(frozen=True)
-class MeshRun:
-    """What a job gives: the quad mesh, its second-order form (None for first order), and the key of the job that made it."""
-
-    mesh: QuadMesh
-    second_order: SecondOrder
-    key: str
 
 
 class MeshJob:
@@ -46,14 +37,13 @@ class MeshJob:
     @classmethod
     def of(cls, obj):
         """The job of a quad mesh object. Raises MeshError when its properties can not be read."""
-        mesh = base_mesh(obj)
-        points, triangles = convert.mesh_to_arrays(mesh, global_placement(obj.Base))
+        points, triangles = base_arrays(checked_base(obj))
         sources = [source_of(source, obj.Base) for source in obj.Sources]
         imprinted = [source.Imprint for source in obj.Sources]
         shape = shape_behind(obj.Base, obj.SmoothAngle.Value) if obj.OntoShape else None
         return cls(points, triangles, sources, imprinted, options_of(obj), 2 if obj.ElementOrder == "2nd" else 1, shape)
 
-    @property
+    @cached_property
     def key(self):
         """Text that differs when anything that the result depends on does."""
         settings = [(name, getattr(self.options, name)) for name in Options.fields]
@@ -73,18 +63,19 @@ class MeshJob:
             quadratic = second_order(mesh, points, triangles, self.options.feature_angle, lines, surface)
         return MeshRun(mesh, quadratic, self.key)
 
+    def run_for_document(self, progress=None):
+        """The same, and all that the document will ask of the run: for another thread than the GUI's, which it would stop."""
+        run = self.run(progress)
+        run.prepare(self)
+        return run
+
     def preview(self, progress=None):
         """(ends (E,2,3), pass (E,)) of the edges of the rows that run() would build: the same without what follows the fill."""
         points, triangles, sources = self.straightened()
         options = Options(**{name: getattr(self.options, name) for name in Options.fields})
         options.cleanup, options.smoothing_passes = False, 0
         surface = self.shape.surface(points, triangles) if self.shape else None
-        mesh = quad_mesh(points, triangles, sources, options, progress, surface)
-        in_row = mesh.row > 0
-        quads, pass_ = mesh.quads[in_row], mesh.pass_[in_row]
-        ends = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
-        edges, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)
-        return mesh.points[edges], np.repeat(pass_, 4)[first]
+        return row_edges(quad_mesh(points, triangles, sources, options, progress, surface))
 
     def straightened(self):
         """(points, triangles, sources) with the sources imprinted that are to be."""
@@ -99,10 +90,19 @@ class MeshJob:
         return points, triangles, sources
 
 
-def base_mesh(obj):
-    """The Mesh.Mesh of the object's base. Raises MeshError when there is none."""
+def row_edges(mesh):
+    """(ends (E,2,3), pass (E,)) of the edges of a QuadMesh's rows."""
+    in_row = mesh.row > 0
+    quads, pass_ = mesh.quads[in_row], mesh.pass_[in_row]
+    ends = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2).astype(np.int64), axis=1)
+    _, first = np.unique(ends @ [len(mesh.points), 1], return_index=True)
+    return mesh.points[ends[first]], np.repeat(pass_, 4)[first]
+
+
+def checked_base(obj):
+    """The mesh object that is the object's base. Raises MeshError when there is none."""
     if obj.Base is None:
         raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
     if not obj.Base.isDerivedFrom("Mesh::Feature"):
         raise MeshError(f"Base: {obj.Base.Label} is not a mesh.", code="empty_mesh")
-    return obj.Base.Mesh
+    return obj.Base

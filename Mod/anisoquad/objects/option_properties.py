@@ -24,6 +24,11 @@ def property_name(field):
     return "".join(part.capitalize() for part in field.split("_"))
 
 
+def option_label(field):
+    """feature_angle → Feature angle; in English, translated in the context Options as the documentation is."""
+    return field.replace("_", " ").capitalize()
+
+
 def add_options(obj):
     """Add the properties that are missing, with the core's defaults."""
     defaults = Options()

@@ -7,11 +7,12 @@ from .. import convert
 from ..errors import MeshError
 from ..second_order import SecondOrder
 from . import properties
-from .base_signature import base_signature
-from .mesh_job import MeshJob, MeshRun
+from .base_mesh import base_signature
+from .mesh_job import MeshJob
+from .mesh_run import MeshRun
 from .option_properties import add_options
 from .report_properties import add_report, show_report
-from .stored_result import pack, unpack
+from .stored_result import unpack
 from .undo_observer import observe
 
 SCHEMA_VERSION = 2
@@ -61,18 +62,18 @@ class QuadMeshObject(properties.SavedByProperties):
         """Mesh the base. On an error the old mesh stays, and the object's status says what is wrong."""
         try:
             job = MeshJob.of(obj)
-            run = self._find(job.key) or job.run()
+            run = self.find(job.key) or job.run()
         except Exception as error:
             self.error = error
             raise
         self.error = None
         self.keep(run)
-        obj.FemMesh = convert.fem_mesh_of(run.mesh, run.second_order, convert.source_nodes(run.mesh, job.sources, job.points))
+        obj.FemMesh = run.take_fem_mesh(job)
         part = obj.Base.Shape if job.shape is not None else None
         if obj.Part is not part:
             obj.Part = part
         obj.BaseSignature = base_signature(obj.Base)
-        obj.QuadData = pack(run.mesh)
+        obj.QuadData = run.packed
         show_report(obj, run.mesh.report)
 
     def keep(self, run):
@@ -81,24 +82,24 @@ class QuadMeshObject(properties.SavedByProperties):
 
     def remember(self, obj):
         """Take over the run that the object holds, from a file or from before, so that undo and cancel find it again."""
-        if obj.Quads == 0 or "Touched" in obj.State or self._find(MeshJob.of(obj).key):
+        if obj.Quads == 0 or "Touched" in obj.State or self.find(MeshJob.of(obj).key):
             return
         self.keep(MeshRun(result_of(obj), second_order_of(obj), MeshJob.of(obj).key))
 
     def knows_run(self, obj):
         """True when execute() would find its result without meshing."""
         try:
-            return obj.Quads > 0 and self._find(MeshJob.of(obj).key) is not None
+            return obj.Quads > 0 and self.find(MeshJob.of(obj).key) is not None
         except MeshError:
             return False
 
-    def _find(self, key):
-        return next((run for run in self._runs if run.key == key), None)
+    def run_of(self, data):
+        """The run of this session that is kept as this QuadData, or None; see result_of()."""
+        return next((run for run in reversed(self._runs) if run.packed == data), None)
 
-    @property
-    def result(self):
-        """The QuadMesh of the last run in this session, or None; see result_of()."""
-        return self._runs[-1].mesh if self._runs else None
+    def find(self, key):
+        """The run of the job with this key, or None where it is not known any more."""
+        return next((run for run in self._runs if run.key == key), None)
 
     def mustExecute(self, obj):
         """FreeCAD does not touch what depends on a mesh when the mesh is assigned: compare."""
@@ -127,8 +128,9 @@ def result_of(obj):
     """The QuadMesh of a quad mesh object, of this session's run or of the saved file; None when there is none yet."""
     if not obj.QuadData:
         return None
-    if obj.Proxy.result is not None and pack(obj.Proxy.result) == obj.QuadData:
-        return obj.Proxy.result
+    run = obj.Proxy.run_of(obj.QuadData)
+    if run is not None:
+        return run.mesh
     points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
     if quads.shape[1] == 8:  # the mid-side nodes follow the corners
         quads = np.ascontiguousarray(quads[:, :4])
@@ -138,5 +140,7 @@ def result_of(obj):
 
 def second_order_of(obj):
     """The SecondOrder of a quad mesh object; None when its quads have four nodes."""
-    points, quads = convert.fem_mesh_to_arrays(obj.FemMesh)
-    return SecondOrder(points, quads) if quads.shape[1] == 8 else None
+    fem_mesh = obj.FemMesh
+    if fem_mesh.FaceCount == 0 or len(fem_mesh.getElementNodes(1)) != 8:
+        return None
+    return SecondOrder(*convert.fem_mesh_to_arrays(fem_mesh))

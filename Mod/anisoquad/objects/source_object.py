@@ -3,12 +3,11 @@
 import FreeCAD
 import numpy as np
 
-from .. import convert
 from ..cad import has_cad
-from ..compat import global_placement
 from ..errors import MeshError
 from ..source import Source
 from . import properties
+from .base_mesh import base_arrays
 from .part_edges import vertices_on_edges
 from .shape_link import link_to
 from .triangles_object import is_triangles_of
@@ -54,7 +53,7 @@ class SourceObject(properties.SavedByProperties):
         """Find the line on the base mesh, and measure it. Raises MeshError for ids that the mesh does not have."""
         if obj.Base is None:
             raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
-        points, triangles = convert.mesh_to_arrays(obj.Base.Mesh, global_placement(obj.Base))
+        points, triangles = base_arrays(obj.Base)
         if obj.Edges:
             obj.Vertices = self._on_edges(obj, points, triangles)
         ids = np.array(obj.Vertices, int)

@@ -2,8 +2,6 @@
 
 import FreeCAD
 
-from .base_signature import MeshObserver
-
 
 class UndoObserver:
     """Document observer: after undo and redo, quad meshes whose run is still known take it up again, at once."""
@@ -28,6 +26,5 @@ _observers = []
 def observe():
     """Begin to observe documents; once a session."""
     if not _observers:
-        _observers.extend([UndoObserver(), MeshObserver()])
-        for observer in _observers:
-            FreeCAD.addDocumentObserver(observer)
+        _observers.append(UndoObserver())
+        FreeCAD.addDocumentObserver(_observers[0])

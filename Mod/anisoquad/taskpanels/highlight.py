@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from .. import convert
-from ..compat import global_placement
+from ..objects.base_mesh import base_arrays
 from ..viewproviders.line_node import LineNode
 
 _COLOUR = (1.0, 0.2, 0.0)
@@ -22,7 +21,7 @@ class Highlight:
         if error.kind not in ("vertex", "edge", "facet") or base is None:
             self.clear()
             return
-        points, triangles = convert.mesh_to_arrays(base.Mesh, global_placement(base))
+        points, triangles = base_arrays(base)
         ids = np.array(error.ids, int)
         limit = len(triangles) if error.kind == "facet" else len(points)
         ids = ids[(ids >= 0) & (ids < limit)]

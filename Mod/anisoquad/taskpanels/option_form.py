@@ -2,7 +2,7 @@
 
 from ..compat import qt_widgets, translate
 from ..meshing import Options
-from ..objects.option_properties import option_fields, property_name
+from ..objects.option_properties import option_fields, option_label, property_name
 
 
 class OptionForm:
@@ -17,7 +17,7 @@ class OptionForm:
             if widget is not None:
                 widget.setObjectName(property_name(field))
                 widget.setToolTip(translate("Options", doc))
-                layout.addRow(translate("Options", field.replace("_", " ").capitalize()), widget)
+                layout.addRow(translate("Options", option_label(field)), widget)
                 self._widgets[field] = widget
 
     def changes(self):

@@ -10,7 +10,7 @@ from ..commands.command import open_transaction, record, reference
 from ..commands.selection import is_mesh
 from ..compat import button_box, button_name, load_ui, translate
 from ..errors import Cancelled, MeshError
-from ..objects.mesh_job import MeshJob
+from ..objects.mesh_job import MeshJob, row_edges
 from ..resources import ui_file
 from .figures import figures_text
 from .highlight import Highlight
@@ -30,6 +30,7 @@ class QuadMeshPanel:
         obj.Proxy.remember(obj)
         self.worker = None
         self._close_when_done = False
+        self._previewed = None, None  # key of the job of the last preview, and its rows
         self.highlight = Highlight(FreeCADGui.ActiveDocument.ActiveView)
         self.preview = RowPreview(FreeCADGui.ActiveDocument.ActiveView)
         self.bases = [other for other in obj.Document.Objects if is_mesh(other)]
@@ -107,21 +108,26 @@ class QuadMeshPanel:
 
     def _start(self):
         self.form.preview.setChecked(False)
-        self._run(MeshJob.run, self._done)
+        job = self._job()
+        if job is not None:
+            self._run(job.run_for_document, self._done)
 
-    def _run(self, task, done):
-        """Begin a task of the object's MeshJob; done(result) follows."""
+    def _job(self):
+        """The object's MeshJob; None, with what is wrong shown, when its properties can not be read."""
         self.highlight.clear()
         try:
             for source in self.obj.Sources:
                 source.recompute()
-            job = MeshJob.of(self.obj)
+            return MeshJob.of(self.obj)
         except MeshError as error:
             self._fail(error)
-            return
+            return None
+
+    def _run(self, task, done):
+        """Begin a task(progress); done(result) follows."""
         self.form.figures.setText(translate("QuadMeshPanel", "Meshing…"))
         self.form.cancel.setEnabled(True)
-        self.worker = MeshWorker(lambda progress: task(job, progress), self._show_progress, done, self._fail)
+        self.worker = MeshWorker(task, self._show_progress, done, self._fail)
         self.worker.start()
 
     def _stop(self):
@@ -190,11 +196,22 @@ class QuadMeshPanel:
 
     def _preview_rows(self, on):
         self.preview.clear()
-        if on and self.worker is None and self._write():
-            self._run(MeshJob.preview, self._show_rows)
+        if not on or self.worker is not None or not self._write():
+            return
+        job = self._job()
+        if job is None:
+            return
+        run = self.obj.Proxy.find(job.key)
+        if run is not None:  # they are there already
+            self.preview.show(*row_edges(run.mesh))
+        elif job.key == self._previewed[0]:
+            self.preview.show(*self._previewed[1])
+        else:
+            self._run(job.preview, lambda rows: self._show_rows(job.key, rows))
 
-    def _show_rows(self, rows):
+    def _show_rows(self, key, rows):
         self._stopped()
+        self._previewed = key, rows
         self.form.figures.setText(figures_text(self.obj))
         self.preview.show(*rows)
         if self._close_when_done:  # OK was pressed meanwhile

@@ -17,8 +17,7 @@ class RowPreview:
     def show(self, ends, pass_):
         """Draw edges (E,2,3) of rows that are built by these passes (E,), 1-based."""
         for index, node in enumerate(self._nodes):
-            chosen = ends[(pass_ - 1) % len(_COLOURS) == index]
-            node.show([[tuple(a), tuple(b)] for a, b in chosen.tolist()])
+            node.show_segments(ends[(pass_ - 1) % len(_COLOURS) == index])
 
     def clear(self):
         for node in self._nodes:

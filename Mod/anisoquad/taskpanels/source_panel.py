@@ -3,10 +3,10 @@
 import FreeCAD
 import FreeCADGui
 
-from .. import convert
 from ..commands.command import open_transaction, record, reference
-from ..compat import button_box, global_placement, load_ui, translate
+from ..compat import button_box, load_ui, translate
 from ..errors import MeshError
+from ..objects.base_mesh import base_arrays
 from ..pick_path import PickPath
 from ..picking.edge_picker import EdgePicker
 from ..resources import ui_file
@@ -42,9 +42,8 @@ class SourcePanel:
 
     def _surface(self):
         """The SurfaceLines of the base; None, with the reason shown and marked, where its triangles can not be meshed."""
-        points, triangles = convert.mesh_to_arrays(self.obj.Base.Mesh, global_placement(self.obj.Base))
         try:
-            return SurfaceLines(points, triangles)
+            return SurfaceLines(*base_arrays(self.obj.Base))
         except MeshError as error:
             self.form.hint.setText(str(error))
             self.highlight.show(error, self.obj.Base)

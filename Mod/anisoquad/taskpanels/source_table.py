@@ -1,7 +1,7 @@
 """The table of sources in the quad mesh panel."""
 
 from ..commands.command import reference
-from ..compat import qt_widgets
+from ..compat import qt_widgets, translate
 from ..errors import MeshError
 from ..source import format_passes, parse_passes
 
@@ -29,7 +29,7 @@ class SourceTable:
             self._show(row, EDGES, str(source.EdgeCount))
             self._show(row, PASSES, source.Passes or f"1:{source.Anisotropy}", editable=True)
             box = qt_widgets().QComboBox()
-            box.addItems(_SIDES)
+            box.addItems([translate("SourcePanel", side) for side in _SIDES])
             box.setCurrentIndex(_SIDES.index(source.Sides))
             self._table.setCellWidget(row, SIDES, box)
 

@@ -4,12 +4,13 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore
 
-from .. import convert, preferences
+from .. import preferences
 from ..commands.add_source_command import add_source
 from ..commands.command import transaction
 from ..commands.selection import quad_meshes_on
-from ..compat import button_box, global_placement, load_ui, qt_widgets, translate
+from ..compat import button_box, load_ui, qt_widgets, translate
 from ..errors import MeshError
+from ..objects.base_mesh import base_arrays
 from ..resources import ui_file
 from ..surface_lines import SurfaceLines
 from ..viewproviders.line_node import LineNode
@@ -39,9 +40,8 @@ class SuggestPanel:
 
     def _suggest(self):
         """The lines; none, with the reason shown and marked, where the triangles can not be meshed."""
-        points, triangles = convert.mesh_to_arrays(self.base.Mesh, global_placement(self.base))
         try:
-            self.surface = SurfaceLines(points, triangles)
+            self.surface = SurfaceLines(*base_arrays(self.base))
         except MeshError as error:
             self.form.hint.setText(str(error))
             self.highlight.show(error, self.base)

@@ -1,5 +1,6 @@
 """Lines, points and facets drawn over the model, never picked themselves."""
 
+import numpy as np
 from pivy import coin
 
 
@@ -48,6 +49,17 @@ class LineNode:
         _set(self._facets.coordIndex, polygons)
         if self._points is not None:
             _set(self._points.coordIndex, dots)
+
+    def show_segments(self, ends):
+        """Draw many lines between two points each, (E,2,3); replaces what was drawn."""
+        self.clear()
+        count = len(ends)
+        if count:
+            self._coordinates.point.setValues(0, 2 * count, np.ascontiguousarray(ends, np.float32).reshape(-1, 3))
+            indices = np.full((count, 3), -1, np.int32)
+            indices[:, :2] = np.arange(2 * count).reshape(-1, 2)
+            self._lines.coordIndex.setNum(3 * count)
+            self._lines.coordIndex.setValues(0, 3 * count, indices.ravel())
 
     def clear(self):
         self.show([])
