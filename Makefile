@@ -97,6 +97,7 @@ bench: deps build
 	build/release/tests/benchmark/anisoquad_benchmark
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/paper_table1.py
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/surfaces.py
+	$(FREECADCMD) tests/benchmark/cad.py </dev/null
 
 format:
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i

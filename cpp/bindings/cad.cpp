@@ -40,7 +40,8 @@ ShapePointer make_shape(TopoDS_Shape read, const std::string& name, bool check) 
     return shape;
 }
 
-std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const PointArray& points, const TriangleArray& triangles, double smooth_angle) {
+std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const PointArray& points, const TriangleArray& triangles,
+                                           double smooth_angle) {
     const auto points_of = span_of(points);
     const auto triangles_of = span_of(triangles);
     const py::gil_scoped_release without_gil;
@@ -53,7 +54,8 @@ py::array projected(const CadSurface& surface, const PointArray& points, const s
                     const std::vector<std::array<std::int32_t, 2>>& edges) {
     const auto points_of = span_of(points);
     const auto count = static_cast<std::int32_t>(surface.link().facet_face.size());
-    if (facets.size() != points_of.size() || edges.size() != points_of.size()) throw std::invalid_argument("one facet and edge for each point");
+    if (facets.size() != points_of.size() || edges.size() != points_of.size())
+        throw std::invalid_argument("one facet and edge for each point");
     std::vector<Eigen::Vector3d> moved(points_of.begin(), points_of.end());
     {
         const py::gil_scoped_release without_gil;
@@ -86,10 +88,14 @@ PYBIND11_MODULE(_cad, module) {
 
     py::class_<CadShape, ShapePointer>(module, "CadShape")
         .def_static(
-            "from_brep", [](const std::string& text, const std::string& name, bool check) { return make_shape(read_brep(text), name, check); },
+            "from_brep",
+            [](const std::string& text, const std::string& name, bool check) { return make_shape(read_brep(text), name, check); },
             py::arg("text"), py::arg("name"), py::arg("check"), py::call_guard<py::gil_scoped_release>())
         .def_static(
-            "from_file", [](const std::string& path, const std::string& name, bool check) { return make_shape(read_shape(path), name, check); },
+            "from_file",
+            [](const std::string& path, const std::string& name, bool check) {
+                return make_shape(read_shape(path), name, check);
+            },
             py::arg("path"), py::arg("name"), py::arg("check"), py::call_guard<py::gil_scoped_release>())
         .def_property_readonly("name", &CadShape::name)
         .def_property_readonly("diagonal", &CadShape::diagonal)
@@ -116,14 +122,21 @@ PYBIND11_MODULE(_cad, module) {
             py::arg("edge"), py::arg("angle"));
 
     py::class_<CadSurface, TargetSurface, std::shared_ptr<CadSurface>>(module, "CadSurface")
-        .def(py::init(&linked_surface), py::arg("shape"), py::arg("points").noconvert(), py::arg("triangles").noconvert(), py::arg("smooth_angle"))
-        .def_property_readonly("points", [](const CadSurface& s) { return to_array(std::vector<Eigen::Vector3d>(s.link().points)); })
-        .def_property_readonly("facet_face", [](const CadSurface& s) { return to_array(std::vector<std::int32_t>(s.link().facet_face)); })
+        .def(py::init(&linked_surface), py::arg("shape"), py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("smooth_angle"))
+        .def_property_readonly("points",
+                               [](const CadSurface& s) { return to_array(std::vector<Eigen::Vector3d>(s.link().points)); })
+        .def_property_readonly("facet_face",
+                               [](const CadSurface& s) { return to_array(std::vector<std::int32_t>(s.link().facet_face)); })
         .def_property_readonly("entities", [](const CadSurface& s) { return entities(s.link()); })
-        .def("edge_path", [](const CadSurface& s, std::size_t edge) { return s.link().paths.at(edge).vertices; }, py::arg("edge"))
+        .def(
+            "edge_path", [](const CadSurface& s, std::size_t edge) { return s.link().paths.at(edge).vertices; }, py::arg("edge"))
         .def("feature_edges", &CadSurface::feature_edges)
         .def(
-            "path", [](const CadSurface& s, const Ids& edges, bool reversed) { return path_on_edges(s.shape(), s.link().paths, edges, reversed); },
+            "path",
+            [](const CadSurface& s, const Ids& edges, bool reversed) {
+                return path_on_edges(s.shape(), s.link().paths, edges, reversed);
+            },
             py::arg("edges"), py::arg("reversed"))
         .def("project", &projected, py::arg("points"), py::arg("facets"), py::arg("edges"))
         .def("edge_of", &CadSurface::edge_of, py::arg("a"), py::arg("b"));

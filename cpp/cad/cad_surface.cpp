@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFar = 0.5;     ///< of the facet's longest edge: so far off, the start was wrong
-constexpr double kOnTrim = 1e-7; ///< tolerance of what is inside of a face
+constexpr double kFar = 0.5;      ///< of the facet's longest edge: so far off, the start was wrong
+constexpr double kOnTrim = 1e-7;  ///< tolerance of what is inside of a face
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -38,8 +38,13 @@ struct CadSurface::Trims {
     }
 };
 
-CadSurface::CadSurface(std::shared_ptr<const CadShape> shape, std::shared_ptr<const MeshLink> link, Triangles triangles, std::span<const char> joined)
-    : shape_(std::move(shape)), link_(std::move(link)), triangles_(triangles.begin(), triangles.end()), on_path_(link_->paths), joined_(joined.begin(), joined.end()) {
+CadSurface::CadSurface(std::shared_ptr<const CadShape> shape, std::shared_ptr<const MeshLink> link, Triangles triangles,
+                       std::span<const char> joined)
+    : shape_(std::move(shape)),
+      link_(std::move(link)),
+      triangles_(triangles.begin(), triangles.end()),
+      on_path_(link_->paths),
+      joined_(joined.begin(), joined.end()) {
     joined_.resize(shape_->edges().size(), 0);
     find_beyond();
 }
@@ -72,7 +77,8 @@ void CadSurface::find_beyond() {
     std::map<std::tuple<std::int32_t, std::int32_t>, Vector2d> corner;  ///< (vertex, face) → parameters
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (at_vertex.contains(triangles_[f][k])) corner.try_emplace({triangles_[f][k], link_->facet_face[f]}, link_->facet_parameter[f][k]);
+            if (at_vertex.contains(triangles_[f][k]))
+                corner.try_emplace({triangles_[f][k], link_->facet_face[f]}, link_->facet_parameter[f][k]);
         }
     }
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
@@ -102,16 +108,20 @@ void CadSurface::project(std::span<const TargetPlace> places, std::span<Vector3d
             if (place.facet >= 0) points[i] = on_face(place, points[i]);
             continue;
         }
-        points[i] = closest_on_edge(shape_->edge(side.edge), points[i], (1.0 - place.share) * side.parameter[0] + place.share * side.parameter[1]).position;
+        points[i] = closest_on_edge(shape_->edge(side.edge), points[i],
+                                    (1.0 - place.share) * side.parameter[0] + place.share * side.parameter[1])
+                        .position;
     }
 }
 
 Vector3d CadSurface::on_face(const TargetPlace& place, const Vector3d& p) const {
     const auto& corner = link_->facet_parameter[at(place.facet)];
     const CadFace& face = shape_->face(link_->facet_face[at(place.facet)]);
-    FacePoint found = closest_on_face(face, p, place.weights[0] * corner[0] + place.weights[1] * corner[1] + place.weights[2] * corner[2]);
+    FacePoint found =
+        closest_on_face(face, p, place.weights[0] * corner[0] + place.weights[1] * corner[1] + place.weights[2] * corner[2]);
     const auto& t = triangles_[at(place.facet)];
-    const double longest = std::max({(link_->points[at(t[0])] - link_->points[at(t[1])]).norm(), (link_->points[at(t[1])] - link_->points[at(t[2])]).norm(),
+    const double longest = std::max({(link_->points[at(t[0])] - link_->points[at(t[1])]).norm(),
+                                     (link_->points[at(t[1])] - link_->points[at(t[2])]).norm(),
                                      (link_->points[at(t[2])] - link_->points[at(t[0])]).norm()});
     if (!found.converged || found.distance > kFar * longest) {
         const FacePoint other = closest_on_face(face, p);

@@ -13,13 +13,15 @@
 
 namespace anisoquad::cad {
 
-/// The shape behind a linked triangulation, as the mesher's target: nodes of lines on CAD edges go onto the edge's curve, all others
-/// onto the face of the facet near them, searched from the parameters of the facet's corners. Where patches run over edges between
-/// faces (smooth ones that were joined), a node whose point is outside of its face goes on to the face beyond, or to the edge.
+/// The shape behind a linked triangulation, as the mesher's target: nodes of lines on CAD edges go onto the edge's curve, all
+/// others onto the face of the facet near them, searched from the parameters of the facet's corners. Where patches run over edges
+/// between faces (smooth ones that were joined), a node whose point is outside of its face goes on to the face beyond, or to the
+/// edge.
 class CadSurface : public TargetSurface {
   public:
     /// @param triangles those that were linked; @param joined per CAD edge: 1 where patches run over it
-    CadSurface(std::shared_ptr<const CadShape> shape, std::shared_ptr<const MeshLink> link, Triangles triangles, std::span<const char> joined = {});
+    CadSurface(std::shared_ptr<const CadShape> shape, std::shared_ptr<const MeshLink> link, Triangles triangles,
+               std::span<const char> joined = {});
     ~CadSurface() override;
 
     void project(std::span<const TargetPlace> places, std::span<Eigen::Vector3d> points) const override;
@@ -36,7 +38,8 @@ class CadSurface : public TargetSurface {
 
     void find_beyond();
     Eigen::Vector3d on_face(const TargetPlace& place, const Eigen::Vector3d& p) const;
-    Eigen::Vector3d over_joints(std::int32_t facet, const Eigen::Vector3d& p, const Eigen::Vector3d& found, const Eigen::Vector2d& parameter) const;
+    Eigen::Vector3d over_joints(std::int32_t facet, const Eigen::Vector3d& p, const Eigen::Vector3d& found,
+                                const Eigen::Vector2d& parameter) const;
 
     std::shared_ptr<const CadShape> shape_;
     std::shared_ptr<const MeshLink> link_;

@@ -19,10 +19,10 @@ using Eigen::Vector3d;
 constexpr int kIterations = 40;
 constexpr int kHalvings = 12;
 constexpr double kNoWorse = 1.0 + 1e-13;  ///< squared distances do not tell the last steps apart
-constexpr double kStepAtRest = 1e-12;  ///< over the distance of the point from the origin, and the size of what it is on
-constexpr double kFlat = 1e-12;        ///< of a length of a derivative over the larger one: a pole
-constexpr int kStarts = 3;             ///< of the grid's points, tried in the order of their distance
-constexpr int kSamples = 24;           ///< a direction, at the least
+constexpr double kStepAtRest = 1e-12;     ///< over the distance of the point from the origin, and the size of what it is on
+constexpr double kFlat = 1e-12;           ///< of a length of a derivative over the larger one: a pole
+constexpr int kStarts = 3;                ///< of the grid's points, tried in the order of their distance
+constexpr int kSamples = 24;              ///< a direction, at the least
 constexpr int kSamplesPerSpan = 4;
 
 struct Derivatives {
@@ -205,14 +205,16 @@ EdgePoint closest_on_edge(const CadEdge& edge, const Vector3d& p, double start) 
 
 EdgePoint closest_on_edge(const CadEdge& edge, const Vector3d& p) {
     int spans = 1;
-    if (const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve); !spline.IsNull()) spans = spline->NbKnots() - 1;
+    if (const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve); !spline.IsNull())
+        spans = spline->NbKnots() - 1;
     const int n = 2 * samples(spans);
     std::vector<Sample> row;
     for (int i = 0; i <= n; ++i) {
         const double t = edge.range.low + (edge.range.high - edge.range.low) * i / n;
         row.push_back({(to_eigen(edge.curve->Value(t)) - p).squaredNorm(), {t, 0.0}});
     }
-    std::partial_sort(row.begin(), row.begin() + kStarts, row.end(), [](const Sample& a, const Sample& b) { return a.squared < b.squared; });
+    std::partial_sort(row.begin(), row.begin() + kStarts, row.end(),
+                      [](const Sample& a, const Sample& b) { return a.squared < b.squared; });
     EdgePoint best;
     best.distance = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kStarts; ++i) {

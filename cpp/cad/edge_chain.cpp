@@ -27,7 +27,10 @@ Vector3d outward(const CadEdge& edge, std::size_t end) {
 class Chain {
   public:
     Chain(const CadShape& shape, std::int32_t edge, double angle)
-        : shape_(shape), cosine_(std::cos(angle * std::numbers::pi / 180.0)), used_(shape.edges().size(), 0), chain_{{edge, false}} {
+        : shape_(shape),
+          cosine_(std::cos(angle * std::numbers::pi / 180.0)),
+          used_(shape.edges().size(), 0),
+          chain_{{edge, false}} {
         used_[static_cast<std::size_t>(edge)] = 1;
     }
 
@@ -85,17 +88,20 @@ std::vector<DirectedEdge> tangent_chain(const CadShape& shape, std::int32_t edge
     return Chain(shape, edge, angle).run();
 }
 
-std::vector<std::int32_t> path_on_edges(const CadShape& shape, std::span<const EdgePath> paths, std::span<const std::int32_t> edges, bool reversed) {
+std::vector<std::int32_t> path_on_edges(const CadShape& shape, std::span<const EdgePath> paths,
+                                        std::span<const std::int32_t> edges, bool reversed) {
     const auto fail = [&](const std::string& why, std::vector<std::int32_t> ids) {
         throw Error(ErrorCode::invalid_source, why, ElementKind::cad_edge, std::move(ids));
     };
     std::vector<std::int32_t> left;
     for (const std::int32_t e : edges) {
-        if (e < 0 || e >= static_cast<std::int32_t>(paths.size())) fail(shape.name() + " has no Edge" + std::to_string(e + 1) + ".", {});
+        if (e < 0 || e >= static_cast<std::int32_t>(paths.size()))
+            fail(shape.name() + " has no Edge" + std::to_string(e + 1) + ".", {});
         if (paths[static_cast<std::size_t>(e)].vertices.empty()) {
             fail("No mesh edges lie on " + CadShape::names("Edge", std::span(&e, 1)) + " of " + shape.name() + ".", {e});
         }
-        if (paths[static_cast<std::size_t>(e)].vertices.size() > 1 && std::find(left.begin(), left.end(), e) == left.end()) left.push_back(e);
+        if (paths[static_cast<std::size_t>(e)].vertices.size() > 1 && std::find(left.begin(), left.end(), e) == left.end())
+            left.push_back(e);
     }
     if (left.empty()) fail("No edges are chosen that the mesh could follow.", {edges.begin(), edges.end()});
     std::deque<std::int32_t> path;
@@ -120,7 +126,8 @@ std::vector<std::int32_t> path_on_edges(const CadShape& shape, std::span<const E
             joined = true;
             break;
         }
-        if (!joined) fail(CadShape::names("Edge", edges) + " of " + shape.name() + " are not one line.", {edges.begin(), edges.end()});
+        if (!joined)
+            fail(CadShape::names("Edge", edges) + " of " + shape.name() + " are not one line.", {edges.begin(), edges.end()});
     }
     if (reversed) return {path.rbegin(), path.rend()};
     return {path.begin(), path.end()};

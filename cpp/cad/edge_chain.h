@@ -23,7 +23,7 @@ std::vector<DirectedEdge> tangent_chain(const CadShape& shape, std::int32_t edge
 /// The mesh vertices along CAD edges that follow each other, given in any order; closed when the first is also the last. The
 /// path runs in the direction of the first given edge, or against it.
 /// @throws Error{invalid_source} with the CAD edges where they are not one line, or the mesh does not follow them
-std::vector<std::int32_t> path_on_edges(const CadShape& shape, std::span<const EdgePath> paths, std::span<const std::int32_t> edges,
-                                        bool reversed = false);
+std::vector<std::int32_t> path_on_edges(const CadShape& shape, std::span<const EdgePath> paths,
+                                        std::span<const std::int32_t> edges, bool reversed = false);
 
 }  // namespace anisoquad::cad

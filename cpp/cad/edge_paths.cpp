@@ -20,7 +20,11 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 class Tracer {
   public:
     Tracer(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, double tolerance)
-        : shape_(shape), points_(points), neighbours_(points.size(), triangles), tolerance_(tolerance), least_(kRounding * shape.diagonal()) {}
+        : shape_(shape),
+          points_(points),
+          neighbours_(points.size(), triangles),
+          tolerance_(tolerance),
+          least_(kRounding * shape.diagonal()) {}
 
     EdgePaths run() {
         for (const Vector3d& corner : shape_.vertices()) result_.at_vertex.push_back(nearest(corner));
@@ -40,7 +44,8 @@ class Tracer {
         }
         if (found < 0) return -1;
         double shortest = std::numeric_limits<double>::infinity();
-        for (const std::int32_t w : neighbours_.of(found)) shortest = std::min(shortest, (points_[at(w)] - points_[at(found)]).norm());
+        for (const std::int32_t w : neighbours_.of(found))
+            shortest = std::min(shortest, (points_[at(w)] - points_[at(found)]).norm());
         return std::sqrt(best) <= std::max(least_, kAtVertex * shortest) ? found : -1;
     }
 
@@ -75,15 +80,17 @@ class Tracer {
             bool anywhere;
             double tolerance;
         };
-        for (const auto [anywhere, tolerance] : {Try{false, 0.0}, Try{true, 0.0}, Try{false, tolerance_}, Try{true, tolerance_}}) {
+        for (const auto [anywhere, tolerance] :
+             {Try{false, 0.0}, Try{true, 0.0}, Try{false, tolerance_}, Try{true, tolerance_}}) {
             Step best;
             for (const std::int32_t w : neighbours_.of(v)) {
                 const double way = (points_[at(w)] - points_[at(v)]).norm();
                 const double reach = std::max(least_, tolerance * way);
                 double place = edge.range.high;
                 if (w != last) {
-                    const EdgePoint on = anywhere ? closest_on_edge(edge, points_[at(w)])
-                                                  : closest_on_edge(edge, points_[at(w)], t + way / std::max(speed(edge, t), 1e-300));
+                    const EdgePoint on = anywhere
+                                             ? closest_on_edge(edge, points_[at(w)])
+                                             : closest_on_edge(edge, points_[at(w)], t + way / std::max(speed(edge, t), 1e-300));
                     if (on.distance > reach || !(on.parameter > t)) continue;
                     place = on.parameter;
                 }

@@ -33,8 +33,8 @@ class Neighbours {
 };
 
 struct EdgePaths {
-    std::vector<EdgePath> paths;           ///< per CAD edge; degenerated ones have none
-    std::vector<std::int32_t> at_vertex;   ///< per CAD vertex: the mesh vertex there, -1 = none
+    std::vector<EdgePath> paths;          ///< per CAD edge; degenerated ones have none
+    std::vector<std::int32_t> at_vertex;  ///< per CAD vertex: the mesh vertex there, -1 = none
 };
 
 /// Follows the shape's edges over the mesh: from the mesh vertex at an edge's begin always to the next neighbour along the curve.

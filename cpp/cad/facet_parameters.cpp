@@ -19,7 +19,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 class Walk {
   public:
     Walk(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles,
-         std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path, std::span<const std::int32_t> facet_face)
+         std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path,
+         std::span<const std::int32_t> facet_face)
         : shape_(shape), points_(points), triangles_(triangles), neighbours_(neighbours), on_path_(on_path), face_(facet_face) {
         result_.corner.resize(triangles.size());
         result_.on_face.assign(points.begin(), points.end());
@@ -65,9 +66,9 @@ class Walk {
         const auto& from = triangles_[at(f)];
         const auto& to = triangles_[at(across)];
         const auto& known = result_.corner[at(f)];
-        const std::size_t third = static_cast<std::size_t>(std::find_if(to.begin(), to.end(), [&](std::int32_t v) {
-                                                               return v != from[side] && v != from[(side + 1) % 3];
-                                                           }) - to.begin());
+        const std::size_t third = static_cast<std::size_t>(
+            std::find_if(to.begin(), to.end(), [&](std::int32_t v) { return v != from[side] && v != from[(side + 1) % 3]; }) -
+            to.begin());
         for (std::size_t k = 0; k < 3; ++k) {
             if (k != third) result_.corner[at(across)][k] = known[to[k] == from[side] ? side : (side + 1) % 3];
         }

@@ -24,7 +24,13 @@ class Regions {
   public:
     Regions(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles,
             std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path, std::span<const EdgePath> paths)
-        : shape_(shape), points_(points), triangles_(triangles), neighbours_(neighbours), on_path_(on_path), paths_(paths), face_(triangles.size(), -1) {}
+        : shape_(shape),
+          points_(points),
+          triangles_(triangles),
+          neighbours_(neighbours),
+          on_path_(on_path),
+          paths_(paths),
+          face_(triangles.size(), -1) {}
 
     std::vector<std::int32_t> run() {
         for (std::size_t f = 0; f < triangles_.size(); ++f) {
@@ -71,16 +77,19 @@ class Regions {
         }
         for (std::size_t i = 0; i < shape_.faces().size(); ++i) {
             const auto& own = shape_.faces()[i].edges;
-            if (std::none_of(own.begin(), own.end(), [&](std::int32_t e) { return shape_.edge(e).is_border() && paths_[at(e)].vertices.size() > 1; }))
+            if (std::none_of(own.begin(), own.end(),
+                             [&](std::int32_t e) { return shape_.edge(e).is_border() && paths_[at(e)].vertices.size() > 1; }))
                 found.push_back(static_cast<std::int32_t>(i));
         }
         return found;
     }
 
-    std::int32_t choose(const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& region, const std::vector<std::int32_t>& border) const {
+    std::int32_t choose(const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& region,
+                        const std::vector<std::int32_t>& border) const {
         if (faces.empty()) {
             throw Error(ErrorCode::shape_mismatch,
-                        shape_.name() + " has no face between " + (border.empty() ? std::string("no edges") : CadShape::names("Edge", border)) +
+                        shape_.name() + " has no face between " +
+                            (border.empty() ? std::string("no edges") : CadShape::names("Edge", border)) +
                             ", where the mesh has triangles: they do not belong together.",
                         ElementKind::facet, region);
         }
@@ -101,8 +110,9 @@ class Regions {
     }
 
     std::int32_t largest(const std::vector<std::int32_t>& region) const {
-        return *std::max_element(region.begin(), region.end(),
-                                 [this](std::int32_t a, std::int32_t b) { return area_vector(a).squaredNorm() < area_vector(b).squaredNorm(); });
+        return *std::max_element(region.begin(), region.end(), [this](std::int32_t a, std::int32_t b) {
+            return area_vector(a).squaredNorm() < area_vector(b).squaredNorm();
+        });
     }
     Vector3d area_vector(std::int32_t f) const {
         const auto& [a, b, c] = triangles_[at(f)];
@@ -121,10 +131,12 @@ class Regions {
             if (met[i]) continue;
             GProp_GProps properties;
             BRepGProp::SurfaceProperties(shape_.faces()[i].face, properties);
-            if (std::abs(properties.Mass()) > kTinyFace * shape_.diagonal() * shape_.diagonal()) missing.push_back(static_cast<std::int32_t>(i));
+            if (std::abs(properties.Mass()) > kTinyFace * shape_.diagonal() * shape_.diagonal())
+                missing.push_back(static_cast<std::int32_t>(i));
         }
         if (missing.empty()) return;
-        throw Error(ErrorCode::face_not_meshable, "The mesh has no triangles on " + CadShape::names("Face", missing) + " of " + shape_.name() + ".",
+        throw Error(ErrorCode::face_not_meshable,
+                    "The mesh has no triangles on " + CadShape::names("Face", missing) + " of " + shape_.name() + ".",
                     ElementKind::cad_face, missing);
     }
 
@@ -145,7 +157,8 @@ PathEdges::PathEdges(std::span<const EdgePath> paths) {
     for (std::size_t e = 0; e < paths.size(); ++e) {
         const EdgePath& path = paths[e];
         for (std::size_t i = 1; i < path.vertices.size(); ++i) {
-            Entry entry{path.vertices[i - 1], path.vertices[i], static_cast<std::int32_t>(e), path.parameters[i - 1], path.parameters[i]};
+            Entry entry{path.vertices[i - 1], path.vertices[i], static_cast<std::int32_t>(e), path.parameters[i - 1],
+                        path.parameters[i]};
             if (entry.low > entry.high) {
                 std::swap(entry.low, entry.high);
                 std::swap(entry.at_low, entry.at_high);
@@ -153,13 +166,15 @@ PathEdges::PathEdges(std::span<const EdgePath> paths) {
             entries_.push_back(entry);
         }
     }
-    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return std::tie(a.low, a.high, a.edge) < std::tie(b.low, b.high, b.edge); });
+    std::sort(entries_.begin(), entries_.end(),
+              [](const Entry& a, const Entry& b) { return std::tie(a.low, a.high, a.edge) < std::tie(b.low, b.high, b.edge); });
 }
 
 PathEdges::Side PathEdges::find(std::int32_t a, std::int32_t b) const {
     const auto [low, high] = std::minmax(a, b);
-    const auto found = std::lower_bound(entries_.begin(), entries_.end(), std::pair(low, high),
-                                        [](const Entry& e, const std::pair<std::int32_t, std::int32_t>& key) { return std::pair(e.low, e.high) < key; });
+    const auto found = std::lower_bound(
+        entries_.begin(), entries_.end(), std::pair(low, high),
+        [](const Entry& e, const std::pair<std::int32_t, std::int32_t>& key) { return std::pair(e.low, e.high) < key; });
     if (found == entries_.end() || found->low != low || found->high != high) return {};
     return a == low ? Side{found->edge, {found->at_low, found->at_high}} : Side{found->edge, {found->at_high, found->at_low}};
 }

@@ -22,16 +22,19 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 void check_paths(const CadShape& shape, std::span<const EdgePath> paths) {
     std::vector<std::int32_t> missing;
     for (std::size_t e = 0; e < paths.size(); ++e) {
-        if (shape.edges()[e].is_border() && !shape.edges()[e].faces.empty() && paths[e].vertices.empty()) missing.push_back(static_cast<std::int32_t>(e));
+        if (shape.edges()[e].is_border() && !shape.edges()[e].faces.empty() && paths[e].vertices.empty())
+            missing.push_back(static_cast<std::int32_t>(e));
     }
     if (missing.empty()) return;
-    throw Error(ErrorCode::shape_mismatch,
-                "The mesh does not follow " + CadShape::names("Edge", missing) + " of " + shape.name() + ": they do not belong together.",
-                ElementKind::cad_edge, missing);
+    throw Error(
+        ErrorCode::shape_mismatch,
+        "The mesh does not follow " + CadShape::names("Edge", missing) + " of " + shape.name() + ": they do not belong together.",
+        ElementKind::cad_edge, missing);
 }
 
 /// @throws Error{shape_mismatch} with the edges of the mesh's boundary that lie on no CAD edge
-void check_boundary(const CadShape& shape, Triangles triangles, std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path) {
+void check_boundary(const CadShape& shape, Triangles triangles, std::span<const std::array<std::int32_t, 3>> neighbours,
+                    const PathEdges& on_path) {
     std::vector<std::int32_t> open;
     for (std::size_t f = 0; f < triangles.size(); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -41,11 +44,13 @@ void check_boundary(const CadShape& shape, Triangles triangles, std::span<const 
         }
     }
     if (open.empty()) return;
-    throw Error(ErrorCode::shape_mismatch, "The mesh ends where " + shape.name() + " has no edge: they do not belong together.", ElementKind::edge, open);
+    throw Error(ErrorCode::shape_mismatch, "The mesh ends where " + shape.name() + " has no edge: they do not belong together.",
+                ElementKind::edge, open);
 }
 
 /// @throws Error{shape_mismatch} with the vertices that are too far off
-void check_distances(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, std::span<const double> distance, double tolerance) {
+void check_distances(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles,
+                     std::span<const double> distance, double tolerance) {
     std::vector<double> length(points.size(), 0.0);
     std::vector<int> edges(points.size(), 0);
     for (const auto& t : triangles) {
@@ -59,11 +64,14 @@ void check_distances(const CadShape& shape, std::span<const Vector3d> points, Tr
     }
     std::vector<std::int32_t> off;
     for (std::size_t v = 0; v < points.size(); ++v) {
-        if (edges[v] > 0 && distance[v] > std::max(kRounding * shape.diagonal(), tolerance * length[v] / edges[v])) off.push_back(static_cast<std::int32_t>(v));
+        if (edges[v] > 0 && distance[v] > std::max(kRounding * shape.diagonal(), tolerance * length[v] / edges[v]))
+            off.push_back(static_cast<std::int32_t>(v));
     }
     if (off.empty()) return;
-    throw Error(ErrorCode::shape_mismatch, std::to_string(off.size()) + " vertices of the mesh are not on " + shape.name() + ": they do not belong together.",
-                ElementKind::vertex, off);
+    throw Error(
+        ErrorCode::shape_mismatch,
+        std::to_string(off.size()) + " vertices of the mesh are not on " + shape.name() + ": they do not belong together.",
+        ElementKind::vertex, off);
 }
 
 }  // namespace

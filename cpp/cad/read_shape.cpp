@@ -57,7 +57,8 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape) {
 
 TopoDS_Shape read_by_suffix(const std::filesystem::path& path) {
     std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (suffix == ".step" || suffix == ".stp") return transfer<STEPControl_Reader>(path, "STEP");
     if (suffix == ".iges" || suffix == ".igs") {
         const TopoDS_Shape shape = transfer<IGESControl_Reader>(path, "IGES");

@@ -33,12 +33,12 @@ struct CadFace {
 
 struct CadEdge {
     TopoDS_Edge edge;
-    Handle(Geom_Curve) curve;               ///< null where the edge is degenerated (a pole); its location applied
-    Range range;                            ///< of the parameter
-    std::array<std::int32_t, 2> vertex{};   ///< at the low and the high end of the range
-    std::vector<std::int32_t> faces;        ///< beside it, each once
-    bool seam = false;                      ///< joins a face with itself
-    double length = 0.0;                    ///< in the shape's unit
+    Handle(Geom_Curve) curve;              ///< null where the edge is degenerated (a pole); its location applied
+    Range range;                           ///< of the parameter
+    std::array<std::int32_t, 2> vertex{};  ///< at the low and the high end of the range
+    std::vector<std::int32_t> faces;       ///< beside it, each once
+    bool seam = false;                     ///< joins a face with itself
+    double length = 0.0;                   ///< in the shape's unit
 
     bool is_degenerated() const { return curve.IsNull(); }
     /// True where patches of faces end: everything but seams and poles.

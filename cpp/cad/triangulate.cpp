@@ -43,7 +43,8 @@ class Assembly {
             if (!add_face(TopoDS::Face(faces_(i)))) failed.push_back(i - 1);
         }
         if (!failed.empty()) {
-            throw Error(ErrorCode::face_not_meshable, "No triangles can be made on " + CadShape::names("Face", failed) + " of " + name + ".",
+            throw Error(ErrorCode::face_not_meshable,
+                        "No triangles can be made on " + CadShape::names("Face", failed) + " of " + name + ".",
                         ElementKind::cad_face, failed);
         }
         return finish();
@@ -69,7 +70,8 @@ class Assembly {
         return true;
     }
 
-    void join_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh, const TopLoc_Location& location, std::int32_t base) {
+    void join_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh, const TopLoc_Location& location,
+                   std::int32_t base) {
         // A seam has a polygon for each of its sides: that of the orientation is given.
         const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
         if (polygon.IsNull()) return;
@@ -142,7 +144,8 @@ Triangulation triangulate(const CadShape& shape, const TriangulateOptions& optio
     try {
         // The mesh is kept in the shape: a copy of its topology leaves the given one, and what meshed it before, alone.
         const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape.shape(), Standard_False).Shape();
-        const BRepMesh_IncrementalMesh mesh(copy, deflection, Standard_False, options.angle * std::numbers::pi / 180.0, Standard_False);
+        const BRepMesh_IncrementalMesh mesh(copy, deflection, Standard_False, options.angle * std::numbers::pi / 180.0,
+                                            Standard_False);
         Triangulation result = Assembly(copy).run(shape.name());
         mend_triangles(result.points, result.triangles);
         return result;

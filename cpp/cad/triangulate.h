@@ -11,7 +11,7 @@ namespace anisoquad::cad {
 
 struct TriangulateOptions {
     double deflection = 0.0;  ///< largest distance of the triangles from the shape; 0: a five-thousandth of its diagonal
-    double angle = 8.0;      ///< degrees between neighbours along a curve or surface
+    double angle = 8.0;       ///< degrees between neighbours along a curve or surface
 };
 
 struct Triangulation {

@@ -23,12 +23,16 @@
 /// Shapes for tests, in the user's unit.
 namespace anisoquad::cad::shapes {
 
-inline CadShape box(double x = 3.0, double y = 2.0, double z = 1.0) { return CadShape(BRepPrimAPI_MakeBox(x, y, z).Shape(), "Box"); }
+inline CadShape box(double x = 3.0, double y = 2.0, double z = 1.0) {
+    return CadShape(BRepPrimAPI_MakeBox(x, y, z).Shape(), "Box");
+}
 inline CadShape cylinder(double radius = 1.0, double height = 2.0) {
     return CadShape(BRepPrimAPI_MakeCylinder(radius, height).Shape(), "Cylinder");
 }
 inline CadShape sphere(double radius = 1.0) { return CadShape(BRepPrimAPI_MakeSphere(radius).Shape(), "Sphere"); }
-inline CadShape torus(double large = 3.0, double small = 1.0) { return CadShape(BRepPrimAPI_MakeTorus(large, small).Shape(), "Torus"); }
+inline CadShape torus(double large = 3.0, double small = 1.0) {
+    return CadShape(BRepPrimAPI_MakeTorus(large, small).Shape(), "Torus");
+}
 inline CadShape cone() { return CadShape(BRepPrimAPI_MakeCone(1.0, 0.0, 2.0).Shape(), "Cone"); }
 
 /// A plate with two straight sides and two round ends: its sides go on into each other smoothly.
@@ -46,7 +50,8 @@ inline CadShape stadium() {
 inline CadShape wavy() {
     TColgp_Array2OfPnt points(1, 9, 1, 9);
     for (int i = 1; i <= 9; ++i) {
-        for (int k = 1; k <= 9; ++k) points(i, k) = gp_Pnt(0.5 * (i - 1), 0.5 * (k - 1), 0.4 * std::sin(0.9 * i) * std::cos(0.7 * k));
+        for (int k = 1; k <= 9; ++k)
+            points(i, k) = gp_Pnt(0.5 * (i - 1), 0.5 * (k - 1), 0.4 * std::sin(0.9 * i) * std::cos(0.7 * k));
     }
     return CadShape(BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(points).Surface(), 1e-6).Shape(), "Wavy");
 }

@@ -21,7 +21,8 @@ struct Linked {
     std::shared_ptr<const MeshLink> link;
     std::unique_ptr<CadSurface> surface;
 
-    explicit Linked(CadShape made, double smooth = 0.0) : shape(std::make_shared<const CadShape>(std::move(made))), mesh(triangulate(*shape)) {
+    explicit Linked(CadShape made, double smooth = 0.0)
+        : shape(std::make_shared<const CadShape>(std::move(made))), mesh(triangulate(*shape)) {
         link = std::make_shared<const MeshLink>(link_mesh(*shape, mesh.points, mesh.triangles));
         const std::vector<char> joined = smooth > 0.0 ? smooth_edges(*shape, smooth) : std::vector<char>();
         surface = std::make_unique<CadSurface>(shape, link, mesh.triangles, joined);
@@ -72,7 +73,8 @@ TEST(CadSurface, TrianglesAloneLeaveNodesOffTheShape) {
     options.size = 0.15;
     options.feature_edges = cylinder.surface->feature_edges();
     double largest = 0.0;
-    for (const Vector3d& p : quad_mesh(cylinder.link->points, cylinder.mesh.triangles, {}, options).points) largest = std::max(largest, off_cylinder(p));
+    for (const Vector3d& p : quad_mesh(cylinder.link->points, cylinder.mesh.triangles, {}, options).points)
+        largest = std::max(largest, off_cylinder(p));
     EXPECT_GT(largest, 1e-8);
 }
 

@@ -30,7 +30,8 @@ TEST(TangentChain, RunsRoundAPlateWithRoundEnds) {
         const CadEdge& edge = stadium.edge(chain[i].edge);
         EXPECT_EQ(stadium.vertex(edge.vertex[0]).z(), z);
         const CadEdge& next = stadium.edge(chain[(i + 1) % 4].edge);
-        EXPECT_EQ(edge.vertex[chain[i].reversed ? 0 : 1], next.vertex[chain[(i + 1) % 4].reversed ? 1 : 0]) << "each begins where the last ends";
+        EXPECT_EQ(edge.vertex[chain[i].reversed ? 0 : 1], next.vertex[chain[(i + 1) % 4].reversed ? 1 : 0])
+            << "each begins where the last ends";
     }
 }
 
@@ -47,7 +48,8 @@ TEST(PathOnEdges, JoinsEdgesGivenInAnyOrder) {
     const Triangulation mesh = triangulate(stadium);
     const MeshLink link = link_mesh(stadium, mesh.points, mesh.triangles);
     const auto chain = tangent_chain(stadium, shapes::edge_of_length(stadium, 4.0), 5.0);
-    const auto path = path_on_edges(stadium, link.paths, std::vector<std::int32_t>{chain[0].edge, chain[2].edge, chain[1].edge, chain[3].edge});
+    const auto path =
+        path_on_edges(stadium, link.paths, std::vector<std::int32_t>{chain[0].edge, chain[2].edge, chain[1].edge, chain[3].edge});
     EXPECT_EQ(path.front(), path.back());
     std::size_t edges = 0;
     for (const DirectedEdge& e : chain) edges += link.paths[static_cast<std::size_t>(e.edge)].vertices.size() - 1;
@@ -66,7 +68,8 @@ TEST(PathOnEdges, RejectsWhatIsNotOneLine) {
     const Triangulation mesh = triangulate(stadium);
     const MeshLink link = link_mesh(stadium, mesh.points, mesh.triangles);
     const auto chain = tangent_chain(stadium, shapes::edge_of_length(stadium, 4.0), 5.0);
-    for (const std::vector<std::int32_t>& edges : {std::vector<std::int32_t>{chain[0].edge, chain[2].edge}, std::vector<std::int32_t>{}, std::vector<std::int32_t>{99}}) {
+    for (const std::vector<std::int32_t>& edges :
+         {std::vector<std::int32_t>{chain[0].edge, chain[2].edge}, std::vector<std::int32_t>{}, std::vector<std::int32_t>{99}}) {
         try {
             path_on_edges(stadium, link.paths, edges);
             FAIL() << "was taken for one line";

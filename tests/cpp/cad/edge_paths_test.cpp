@@ -41,7 +41,8 @@ void expect_paths(const CadShape& shape, const Triangulation& mesh, double noise
 }
 
 TEST(EdgePaths, FollowTheEdgesOfTessellations) {
-    for (const CadShape& shape : {shapes::box(), shapes::cylinder(), shapes::sphere(), shapes::cone(), shapes::torus(), shapes::stadium(), shapes::wavy()}) {
+    for (const CadShape& shape : {shapes::box(), shapes::cylinder(), shapes::sphere(), shapes::cone(), shapes::torus(),
+                                  shapes::stadium(), shapes::wavy()}) {
         expect_paths(shape, triangulate(shape));
     }
 }
@@ -54,7 +55,8 @@ TEST(EdgePaths, BearPointsOfSinglePrecision) {
 TEST(EdgePaths, AreEmptyWhereTheMeshDoesNotFollow) {
     const CadShape box = shapes::box();
     const Triangulation other = triangulate(shapes::cylinder());
-    for (const EdgePath& path : find_edge_paths(box, other.points, other.triangles, 0.02).paths) EXPECT_TRUE(path.vertices.empty());
+    for (const EdgePath& path : find_edge_paths(box, other.points, other.triangles, 0.02).paths)
+        EXPECT_TRUE(path.vertices.empty());
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ Vector3d value(const CadFace& face, const Eigen::Vector2d& x) {
 }
 
 TEST(LinkMesh, EveryTriangleIsOnItsFaceAndHasItsParameters) {
-    for (const CadShape& shape : {shapes::box(), shapes::cylinder(), shapes::sphere(), shapes::cone(), shapes::torus(), shapes::stadium(), shapes::wavy()}) {
+    for (const CadShape& shape : {shapes::box(), shapes::cylinder(), shapes::sphere(), shapes::cone(), shapes::torus(),
+                                  shapes::stadium(), shapes::wavy()}) {
         const Triangulation mesh = triangulate(shape);
         const MeshLink link = link_mesh(shape, mesh.points, mesh.triangles);
         ASSERT_EQ(link.facet_face.size(), mesh.triangles.size());

@@ -1,9 +1,9 @@
 #include "cad/read_shape.h"
 
+#include <gtest/gtest.h>
 #include <BRepTools.hxx>
 #include <IGESControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
@@ -16,7 +16,9 @@ namespace {
 
 class Files : public testing::Test {
   protected:
-    Files() : folder_(std::filesystem::temp_directory_path() / ("anisoquad_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    Files()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("anisoquad_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
         std::filesystem::create_directories(folder_);
     }
     ~Files() override { std::filesystem::remove_all(folder_); }
@@ -32,7 +34,8 @@ TEST(ReadBrep, GivesTheShapeOfAText) {
 }
 
 TEST(ReadBrep, RejectsWhatIsNone) {
-    for (const char* text : {"", "not a shape", "DBRep_DrawableShape\n\nCASCADE Topology V1"}) EXPECT_THROW(read_brep(text), Error) << text;
+    for (const char* text : {"", "not a shape", "DBRep_DrawableShape\n\nCASCADE Topology V1"})
+        EXPECT_THROW(read_brep(text), Error) << text;
 }
 
 TEST_F(Files, StepIgesAndBrepAreRead) {

@@ -1,8 +1,8 @@
 #include "cad/shape.h"
 
+#include <gtest/gtest.h>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
-#include <gtest/gtest.h>
 
 #include "cad_shapes.h"
 #include "errors.h"
@@ -60,7 +60,8 @@ TEST(CheckShape, NamesInvalidFaces) {
     // A wire whose edges cross each other bounds no face.
     BRepBuilderAPI_MakeWire wire;
     const gp_Pnt a(0, 0, 0), b(1, 1, 0), c(1, 0, 0), d(0, 1, 0);
-    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, d}, std::pair{d, a}}) wire.Add(BRepBuilderAPI_MakeEdge(from, to));
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, d}, std::pair{d, a}})
+        wire.Add(BRepBuilderAPI_MakeEdge(from, to));
     const CadShape bow(BRepBuilderAPI_MakeFace(wire.Wire()).Shape(), "Bow");
     try {
         check_shape(bow);

@@ -1,7 +1,7 @@
 #include "cad/triangulate.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <set>
 
@@ -34,8 +34,12 @@ TEST(Triangulate, SolidsBecomeClosedSurfacesWithNormalsOutwards) {
         CadShape shape;
         double volume;
         long euler;
-    } cases[] = {{shapes::box(3, 2, 1), 6.0, 2},       {shapes::cylinder(1.0, 2.0), 2.0 * M_PI, 2}, {shapes::sphere(1.0), 4.0 / 3.0 * M_PI, 2},
-                 {shapes::torus(3.0, 1.0), 6.0 * M_PI * M_PI, 0}, {shapes::cone(), 2.0 / 3.0 * M_PI, 2},       {shapes::stadium(), 8.0 + M_PI, 2}};
+    } cases[] = {{shapes::box(3, 2, 1), 6.0, 2},
+                 {shapes::cylinder(1.0, 2.0), 2.0 * M_PI, 2},
+                 {shapes::sphere(1.0), 4.0 / 3.0 * M_PI, 2},
+                 {shapes::torus(3.0, 1.0), 6.0 * M_PI * M_PI, 0},
+                 {shapes::cone(), 2.0 / 3.0 * M_PI, 2},
+                 {shapes::stadium(), 8.0 + M_PI, 2}};
     for (const auto& c : cases) {
         const Triangulation mesh = triangulate(c.shape);
         EXPECT_NO_THROW(check_triangles(mesh.points, mesh.triangles)) << c.shape.name();
