@@ -37,11 +37,12 @@ class Wing(PartTest):
         return quads
 
     def assert_rows(self, quads):
-        """Passes of 1:16 were run, and the edge has rows on both sides."""
-        report = json.loads(quads.Report)
-        self.assertEqual({entry["ratio"] for entry in report["passes"] if entry["pass"] == 1}, {4})
-        self.assertEqual({entry["pass"] for entry in report["passes"]}, {1, 2, 3})
-        self.assertEqual({entry["side"] for entry in report["rows"] if entry["row"] == 1}, {"left", "right"}, report["passes"])
+        """Passes of 1:16 were run, and the first one built rows on both sides of the edge."""
+        passes = json.loads(quads.Report)["passes"]
+        self.assertEqual({entry["pass"] for entry in passes}, {1, 2, 3})
+        first = {entry["side"]: entry["rows"] for entry in passes if entry["pass"] == 1}
+        self.assertEqual(set(first), {"left", "right"})
+        self.assertGreaterEqual(min(first.values()), 1, passes)
 
     def test_the_leading_edge_gets_rows_and_all_nodes_lie_on_the_shape(self):
         quads = self.make()
