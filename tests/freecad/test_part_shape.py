@@ -60,7 +60,6 @@ class Wing(PartTest):
         self.assertAlmostEqual(quads.FemMesh.BoundBox.YMax, before + 300.0, places=6)
         self.assertEqual(quads.Sources[0].Edges, (self.wing, [self.edge]))
         self.assertAlmostEqual(quads.Sources[0].Length.Value, self.wing.Shape.getElement(self.edge).Length, places=3)
-        self.assert_rows(quads)
 
     def test_patches_and_groups_are_those_of_the_faces_and_edges(self):
         quads = self.make()
