@@ -6,6 +6,7 @@ JOBS       ?= $(shell nproc)
 CMAKE_FLAGS ?=
 
 PACKAGES = g++ cmake libeigen3-dev pybind11-dev libgtest-dev libbenchmark-dev \
+           libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev \
            python3 python3-dev python3-numpy python3-meshio python3-matplotlib python3-pivy freecad freecad-python3 \
            xvfb xauth libgl1-mesa-dri calculix-ccx qttools5-dev-tools
 # Of the fuzz target only.
@@ -96,6 +97,7 @@ bench: deps build
 	build/release/tests/benchmark/anisoquad_benchmark
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/paper_table1.py
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/surfaces.py
+	$(FREECADCMD) tests/benchmark/cad.py </dev/null
 
 format:
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i

@@ -17,6 +17,9 @@ std::string_view name(ErrorCode code) {
         case ErrorCode::invalid_option: return "invalid_option";
         case ErrorCode::cancelled: return "cancelled";
         case ErrorCode::not_meshable: return "not_meshable";
+        case ErrorCode::invalid_shape: return "invalid_shape";
+        case ErrorCode::shape_mismatch: return "shape_mismatch";
+        case ErrorCode::face_not_meshable: return "face_not_meshable";
     }
     return "unknown";
 }
@@ -27,6 +30,8 @@ std::string_view name(ElementKind kind) {
         case ElementKind::vertex: return "vertex";
         case ElementKind::edge: return "edge";
         case ElementKind::facet: return "facet";
+        case ElementKind::cad_face: return "cad_face";
+        case ElementKind::cad_edge: return "cad_edge";
     }
     return "unknown";
 }

@@ -23,10 +23,13 @@ enum class ErrorCode {
     invalid_option,
     cancelled,
     not_meshable,
+    invalid_shape,     ///< CAD: null, empty, broken or unreadable
+    shape_mismatch,    ///< CAD: shape and mesh do not belong together
+    face_not_meshable, ///< CAD: no triangles can be made on a face
 };
 
-/// Which elements of the input the ids of an error count.
-enum class ElementKind { none, vertex, edge, facet };
+/// Which elements of the input the ids of an error count. Ids of CAD faces and edges are from 0: Face1 is 0.
+enum class ElementKind { none, vertex, edge, facet, cad_face, cad_edge };
 
 std::string_view name(ErrorCode code);
 std::string_view name(ElementKind kind);

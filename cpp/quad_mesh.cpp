@@ -23,6 +23,7 @@
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
 #include "smoothing/final_smoothing.h"
+#include "smoothing/onto_target.h"
 #include "surface/reference_surface.h"
 
 namespace anisoquad {
@@ -57,8 +58,8 @@ struct Frame {
 class Pipeline {
   public:
     Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
-             Context& context)
-        : points_(points), triangles_(triangles), sources_(sources), options_(options), context_(context) {}
+             Context& context, const TargetSurface* target = nullptr)
+        : points_(points), triangles_(triangles), sources_(sources), options_(options), context_(context), target_(target) {}
 
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
@@ -78,7 +79,7 @@ class Pipeline {
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
         for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
-        const ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle);
+        ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle);
         end();
 
         begin("prepare", 0.05, 0.1);
@@ -112,12 +113,18 @@ class Pipeline {
         end();
 
         begin("smoothing", 0.8, 0.95);
+        if (target_) {
+            reference.set_target({target_, frame.centre, frame.scale});
+            move_onto_target(mesh_, reference, reference_lines);
+        }
         smooth_mesh(mesh_, reference, options_, context_, reference_lines);
+        if (target_) settle_on_target(reference, reference_lines);
         end();
         snapshot("result", frame);
 
         begin("report", 0.95, 1.0);
         finish(frame, reference);
+        if (target_) tell_input(reference, reference_lines);
         end();
         return std::move(result_);
     }
@@ -154,6 +161,7 @@ class Pipeline {
     std::vector<FeatureLine> find_lines(const Frame& frame, std::vector<char>& in_fold) {
         std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
         report().patches = find_patches(mesh_);
+        if (target_) return lines;  // a CAD shape has borders of its faces there
         const std::vector<char> chosen = patches_to_remesh(mesh_, options_);
         if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
         const SizeRange range = size_range(unit_points_, triangles_, 1.0, frame.scale, options_);
@@ -211,6 +219,31 @@ class Pipeline {
         blend_ahead_of_rows(mesh_, reference);
     }
 
+    /// What slid along the input's lines in the smoothing is brought onto the target once more.
+    void settle_on_target(const ReferenceSurface& reference, const ReferenceLines& lines) {
+        const OntoTargetResult result = move_onto_target(mesh_, reference, lines);
+        if (result.inverted > 0) warn(std::to_string(result.inverted) + " quads are turned over by the surface to which they were brought");
+    }
+
+    /// For each quad and line edge the input's element near its middle.
+    void tell_input(const ReferenceSurface& reference, const ReferenceLines& lines) {
+        std::int32_t hint = -1;
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
+            const Face f(i);
+            if (mesh_.is_deleted(f)) continue;
+            Point middle = Point::Zero();
+            for (const HalfEdge h : mesh_.halfedges(f)) middle += mesh_.position(mesh_.from(h)) / mesh_.valence(f);
+            result_.quad_facet.push_back(reference.closest(middle, mesh_.info(f).patch, hint).facet);
+            hint = result_.quad_facet.back();
+        }
+        for (std::int32_t e = 0; e < mesh_.edge_slots(); ++e) {
+            if (mesh_.is_deleted(Edge(e)) || mesh_.info(Edge(e)).line < 0) continue;
+            const HalfEdge h = SurfaceMesh::halfedge(Edge(e));
+            const Point middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+            result_.line_edge_input.push_back(lines.closest_edge(mesh_.info(Edge(e)).line, middle).edge);
+        }
+    }
+
     Point out(Vertex v, const Frame& frame) const {
         const std::int32_t input = mesh_.info(v).input;
         return input >= 0 ? points_[static_cast<std::size_t>(input)] : frame.out(mesh_.position(v));
@@ -258,6 +291,7 @@ class Pipeline {
     std::span<const Source> sources_;
     const Options& options_;
     Context& context_;
+    const TargetSurface* target_;
     SurfaceMesh mesh_;
     std::vector<Point> unit_points_;
     Topology before_;
@@ -291,9 +325,11 @@ QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles,
 }  // namespace
 
 QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources,
-                         const Options& options, Context& context) {
+                         const Options& options, Context& context, const TargetSurface* target) {
+    // The target knows the triangles by their ids, which a repair changes.
+    if (options.repair && target) throw Error(ErrorCode::invalid_option, "The triangles of a CAD shape can't be repaired: mend the shape, or mesh without it.");
     if (options.repair) return mesh_repaired(points, triangles, sources, options, context);
-    return Pipeline(points, triangles, sources, options, context).run();
+    return Pipeline(points, triangles, sources, options, context, target).run();
 }
 
 }  // namespace anisoquad

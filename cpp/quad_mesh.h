@@ -10,6 +10,7 @@
 #include "context.h"
 #include "options.h"
 #include "quality/report.h"
+#include "surface/target_surface.h"
 
 namespace anisoquad {
 
@@ -33,6 +34,9 @@ struct QuadMeshResult {
     std::vector<std::int32_t> node_input;  ///< per point: input vertex that it is, -1 = a new or moved point
     /// Mesh edges on feature lines as (node, node, line): covers every boundary and feature line of the input.
     std::vector<std::array<std::int32_t, 3>> line_edges;
+    /// With a target only. Per quad: input triangle below its middle; per line edge: the input edge (vertex, vertex) that it is near.
+    std::vector<std::int32_t> quad_facet;
+    std::vector<std::array<std::int32_t, 2>> line_edge_input;
     Report report;
     std::vector<StageSnapshot> stages;  ///< filled when Options::record_stages
 };
@@ -40,11 +44,13 @@ struct QuadMeshResult {
 /// Meshes a triangulated surface with quadrilaterals: the whole way of the data (method: Merhof et al.).
 /// @param points N coordinates, any unit; @param triangles M index triples, consistently oriented, manifold
 /// @param sources lines of anisotropy (may be empty: isotropic Q-Morph everywhere)
+/// @param target surface of which the triangles are a triangulation, with their vertices on it, or null: the nodes are brought onto it
 /// @throws Error for bad input (typed, with the ids of the elements) and when the context cancels
 QuadMeshResult quad_mesh(std::span<const Eigen::Vector3d> points,
                          std::span<const std::array<std::int32_t, 3>> triangles,
                          std::span<const Source> sources = {},
                          const Options& options = {},
-                         Context& context = no_context());
+                         Context& context = no_context(),
+                         const TargetSurface* target = nullptr);
 
 }  // namespace anisoquad

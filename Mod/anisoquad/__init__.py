@@ -7,6 +7,8 @@ GUI. Names are looked up at their first use, so that the workbench loads also wh
 from importlib import import_module
 
 _EXPORTS = {
+    "CadShape": "cad",
+    "CadSurface": "cad",
     "Cancelled": "errors",
     "MeshError": "errors",
     "Options": "meshing",

@@ -5,7 +5,7 @@ import json
 import sys
 from pathlib import Path
 
-from . import __version__
+from . import __version__, cad
 from .errors import MeshError
 from .io import read_triangles, writable, write_mesh
 from .meshing import Options, quad_mesh
@@ -25,9 +25,14 @@ def main(arguments=None):
     try:
         if not writable(given.output):
             raise MeshError(f"{given.output}: can write .vtu, .inp, .msh, .su2 and .obj")
-        points, triangles = read_triangles(given.input)
-        sources = _read_sources(given)
-        mesh = quad_mesh(points, triangles, sources, _make_options(given))
+        options = _make_options(given)
+        if Path(given.input).suffix.lower() in cad.FILES:
+            mesh = _mesh_shape(given, options)
+        else:
+            if given.source_edges or given.smooth_angle or given.deflection:
+                raise MeshError("--source-edges, --smooth-angle and --deflection need a CAD file")
+            points, triangles = read_triangles(given.input)
+            mesh = quad_mesh(points, triangles, _read_sources(given), options)
         write_mesh(given.output, mesh)
         if given.report:
             _write_report(given.report, mesh.report)
@@ -42,10 +47,17 @@ def main(arguments=None):
 
 
 def _make_parser():
-    parser = _Parser(prog="anisoquad", description="Mesh a triangulated surface with quads, anisotropic along line sources.")
-    parser.add_argument("input", metavar="IN", help=".stl, .obj, .off or .ply")
+    parser = _Parser(prog="anisoquad", description="Mesh a triangulated surface or a CAD shape with quads, anisotropic along line sources.")
+    parser.add_argument("input", metavar="IN", help=".stl, .obj, .off or .ply; CAD: .step, .iges or .brep")
     parser.add_argument("output", metavar="OUT", help=".vtu, .inp, .msh, .su2 or .obj")
     parser.add_argument("--source", metavar="FILE.json", help='{"leading_edge": [ids], "closed": false} or {"sources": [[ids], ...]}')
+    parser.add_argument("--source-edges", metavar="N[,N...]", action="append",
+                        help="of a CAD file: numbers of edges that follow each other, from 1, as source; may be given several times")
+    parser.add_argument("--chain", action="store_true", help="with --source-edges: and the edges that go on from these tangentially")
+    parser.add_argument("--smooth-angle", metavar="DEG", type=float, default=0.0,
+                        help="of a CAD file: faces whose normals differ by less where they meet are one patch (default: each is one)")
+    parser.add_argument("--deflection", metavar="X", type=float, default=0.0,
+                        help="of a CAD file: of the triangles that are remeshed, off the shape (default: 2e-4 of its diagonal)")
     passes = parser.add_mutually_exclusive_group()
     passes.add_argument("--passes", metavar="R[:ROWS],...", help="merge ratio of each pass, e.g. 4,2,2")
     passes.add_argument("--anisotropy", metavar="N", type=int, help="maximum anisotropy instead of passes")
@@ -68,10 +80,24 @@ def _make_options(given):
     return Options(**{name: value for name, value in values.items() if value is not None})
 
 
+def _mesh_shape(given, options):
+    """The QuadMesh of a CAD file, its nodes on the shape."""
+    shape = cad.CadShape.from_file(given.input)
+    points, triangles = shape.triangulate(given.deflection)
+    surface = cad.CadSurface(shape, points, triangles, join_smooth=given.smooth_angle)
+    sources = _read_sources(given)
+    for text in given.source_edges or []:
+        edges = [edge.strip() for edge in text.split(",")]
+        if given.chain:
+            edges = shape.tangent_chain(edges[0])
+        sources.append(Source(surface.path(edges), passes=given.passes, anisotropy=given.anisotropy))
+    return quad_mesh(points, triangles, sources, options, surface=surface)
+
+
 def _read_sources(given):
     if given.source is None:
-        if given.passes or given.anisotropy is not None:
-            raise MeshError("--passes and --anisotropy need a --source")
+        if (given.passes or given.anisotropy is not None) and not given.source_edges:
+            raise MeshError("--passes and --anisotropy need a --source or --source-edges")
         return []
     try:
         content = json.loads(Path(given.source).read_text(encoding="utf-8"))

@@ -77,7 +77,8 @@ def fem_mesh_of(mesh, second_order=None, source_nodes=()):
 
 
 def source_nodes(mesh, sources, points):
-    """For each source the ids of the mesh's nodes on it: nodes of feature lines that lie on the source's polyline.
+    """For each source the ids of the mesh's nodes on it: nodes of feature lines that lie on the source's polyline, or near its
+    edges where a CAD surface was given.
 
     points -- (N,3): those that the sources' vertex ids count
     """
@@ -89,8 +90,18 @@ def source_nodes(mesh, sources, points):
         distance = np.full(len(on_lines), np.inf)
         for start, end in zip(line[:-1], line[1:]):
             distance = np.minimum(distance, _distance_to_segment(mesh.points[on_lines], start, end))
-        found.append(on_lines[distance <= tolerance])
+        nodes = on_lines[distance <= tolerance]
+        found.append(np.union1d(nodes, _nodes_near(mesh, source.vertices)).astype(int))
     return found
+
+
+def _nodes_near(mesh, path):
+    """Ids of the ends of line edges that are near the input's edges of a path."""
+    if not len(mesh.line_edge_input):
+        return np.empty(0, int)
+    pairs = {frozenset(pair) for pair in zip(path[:-1], path[1:])}
+    near = [frozenset(pair) in pairs for pair in mesh.line_edge_input.tolist()]
+    return mesh.line_edges[np.array(near, bool), :2].ravel()
 
 
 def fem_mesh_to_arrays(fem_mesh):

@@ -1,32 +1,39 @@
 """The scripting API in FreeCAD. No GUI."""
 
+from .compat import is_shape
 from .errors import MeshError
 from .io import write_mesh
 from .objects.option_properties import set_options
 from .objects.quad_mesh_object import QuadMeshObject, result_of, second_order_of
 from .objects.source_object import SourceObject, is_source
-from .objects.triangles_object import TrianglesObject
+from .objects.triangles_object import TrianglesObject, triangles_of
 from .source import Source, format_passes, parse_passes
 
 
-def make_quad_mesh(doc, base=None, sources=(), passes=None, anisotropy=None, options=None, element_order=1, name="QuadMesh"):
+def make_quad_mesh(doc, base=None, sources=(), passes=None, anisotropy=None, options=None, element_order=1, smooth_angle=0.0,
+                   name="QuadMesh"):
     """Add a quad mesh object to a document; it is filled at the next doc.recompute().
 
-    base          -- the Mesh::Feature to mesh
+    base          -- the Mesh::Feature to mesh, or a Part object: it is triangulated (make_triangles, found again where it has been),
+                     patches are its faces, and all nodes lie exactly on it
     sources       -- source objects, or lists of 0-based point ids of the base mesh, or anisoquad.Source objects, of which
-                     source objects are made
+                     source objects are made; of a Part object edges too: "Edge3", ["Edge3", "Edge5"], (object or its name, "Edge3")
     passes        -- for the sources that have none of their own: [4, 2, 2], [(4, 6), 2] with rows, or text "4:6, 2"
     anisotropy    -- instead of passes: the maximum anisotropy
     options       -- anisoquad.Options, kept as properties of the object
     element_order -- 1, or 2 for quads of eight nodes
+    smooth_angle  -- degrees; faces of a Part object whose normals differ by less where they meet are one patch
     Returns the Fem::FemMeshObjectPython. Raises MeshError when sources or passes can not be read.
     """
     how = _how(passes, anisotropy)
-    sources = [source if is_source(source) or isinstance(source, Source) else Source(source) for source in sources]
+    sources = [_read_source(doc, base, source) for source in sources]
+    if base is not None and is_shape(base):
+        base = triangles_of(base) or make_triangles(doc, base, name=f"{base.Name}Triangles")
     obj = doc.addObject("Fem::FemMeshObjectPython", name)
     QuadMeshObject(obj)
     obj.Base = base
     obj.ElementOrder = _element_order(element_order)
+    obj.SmoothAngle = smooth_angle
     if options is not None:
         set_options(obj, options)
     obj.Sources = [source if is_source(source) else _make_source_like(doc, base, source, how) for source in sources]
@@ -62,7 +69,7 @@ def make_source(doc, base, vertices=(), edges=None, passes=None, anisotropy=None
 def make_triangles(doc, shape, deflection=0.0, max_length=0.0, name="Triangles"):
     """Add the tessellation of a Part object to a document, as the base of a quad mesh.
 
-    deflection -- largest distance of the triangles from the shape; 0: a thousandth of the shape's diagonal
+    deflection -- largest distance of the triangles from the shape; 0: a five-thousandth of the shape's diagonal
     max_length -- instead: triangles of good shape with edges up to this length, by Mefisto
     Returns the Mesh::FeaturePython.
     """
@@ -91,9 +98,36 @@ def _how(passes, anisotropy):
     return {"Passes": format_passes(parse_passes(passes))} if passes else {}
 
 
+def _read_source(doc, base, source):
+    """A source object, a Source, or (Part object, ["Edge1", …]) of what make_quad_mesh takes."""
+    if is_source(source) or isinstance(source, Source):
+        return source
+    entries = [source] if isinstance(source, str) else list(source) if isinstance(source, (list, tuple)) else source
+    if isinstance(entries, list) and len(entries) == 2 and not (isinstance(entries[0], str) and entries[0].startswith("Edge")):
+        shape = doc.getObject(entries[0]) if isinstance(entries[0], str) else entries[0]
+        names = [entries[1]] if isinstance(entries[1], str) else entries[1]
+        if hasattr(shape, "Shape") and isinstance(names, (list, tuple)):
+            return shape, _edge_names(names)
+    if isinstance(entries, list) and entries and all(isinstance(entry, str) for entry in entries):
+        if base is None or not is_shape(base):
+            raise MeshError(f"The source {source!r} names edges of a Part object, which the base is not.", code="invalid_source")
+        return base, _edge_names(entries)
+    return Source(source)
+
+
+def _edge_names(names):
+    for name in names:
+        if not (isinstance(name, str) and name.startswith("Edge") and name[4:].isdecimal()):
+            raise MeshError(f"A source on a Part object is named like Edge3, not {name!r}.", code="invalid_source")
+    return list(names)
+
+
 def _make_source_like(doc, base, source, how):
-    obj = make_source(doc, base, source.vertices, sides=source.sides)
-    if source.passes:
+    if isinstance(source, tuple):
+        obj = make_source(doc, base, edges=source)
+    else:
+        obj = make_source(doc, base, source.vertices, sides=source.sides)
+    if isinstance(source, Source) and source.passes:
         how = {"Passes": format_passes(source.passes)}
     for property_, value in how.items():
         setattr(obj, property_, value)

@@ -12,7 +12,7 @@ Options = _core.Options
 _INT32 = np.iinfo(np.int32)
 
 
-def quad_mesh(points, triangles, sources=(), options=None, progress=None):
+def quad_mesh(points, triangles, sources=(), options=None, progress=None, surface=None):
     """Mesh a triangulated surface with quadrilaterals, with anisotropic rows along the sources.
 
     points    -- (N,3) numbers, any unit
@@ -20,17 +20,32 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None):
     sources   -- Source objects, or lists of vertex ids (such a line is a feature without rows)
     options   -- Options
     progress  -- callable(stage: str, fraction: float); returning False cancels
+    surface   -- anisoquad.cad.CadSurface of these points and triangles: patches are those of its faces, nodes are put onto it
     Returns a QuadMesh. Raises MeshError with the ids of what is wrong in the input, Cancelled when progress said so.
     """
+    options = options if options is not None else Options()
+    if surface is not None:
+        points = surface.points
+        options = with_feature_edges(options, surface.feature_edges)
     sources = [source if isinstance(source, Source) else Source(source) for source in sources]
     result = _core.quad_mesh(
         checked_points(points),
         checked_triangles(triangles),
         [source.to_core() for source in sources],
-        options if options is not None else Options(),
+        options,
         progress,
+        surface.core if surface is not None else None,
     )
+    if surface is not None:
+        result.update(surface.entities_of(result))
     return QuadMesh(**result)
+
+
+def with_feature_edges(options, edges):
+    """A copy of the options with further feature edges, as pairs of point ids."""
+    copy = Options(**{name: getattr(options, name) for name in Options.fields})
+    copy.feature_edges = [*options.feature_edges, *edges]
+    return copy
 
 
 def checked_points(points):

@@ -27,19 +27,34 @@ class SecondOrder:
         return np.column_stack([edges, middle[first[place]]]).astype(np.int32)
 
 
-def second_order(mesh, points, triangles, feature_angle, lines=()):
+def second_order(mesh, points, triangles, feature_angle, lines=(), surface=None):
     """The SecondOrder of a QuadMesh, its mid-side nodes on the triangulated surface, those of feature edges on feature lines.
 
     points, triangles, feature_angle -- the surface (N,3), (M,3), and degrees, as given for the mesh
     lines -- paths of point ids that are feature lines too: sources and feature edges
+    surface -- the CadSurface of the mesh: the mid-side nodes are put onto that instead
     """
-    ends, index = np.unique(np.sort(_sides(mesh.quads), axis=1), axis=0, return_inverse=True)
+    ends, first, index = np.unique(np.sort(_sides(mesh.quads), axis=1), axis=0, return_index=True, return_inverse=True)
     size = len(mesh.points)
     on_line = np.isin(ends @ [size, 1], np.sort(mesh.line_edges[:, :2].astype(np.int64), axis=1) @ [size, 1])
     middles = 0.5 * (mesh.points[ends[:, 0]] + mesh.points[ends[:, 1]])
-    middles = SurfaceLines(points, triangles, feature_angle, edges_of(lines)).onto_surface(middles, on_line)
+    if surface is None:
+        middles = SurfaceLines(points, triangles, feature_angle, edges_of(lines)).onto_surface(middles, on_line)
+    else:
+        middles = surface.project(middles, mesh.quad_facet[first // 4], _input_edges(mesh, ends, on_line))
     quads = np.column_stack([mesh.quads, index.reshape(-1, 4) + size]).astype(np.int32)
     return SecondOrder(np.concatenate([mesh.points, middles]), quads)
+
+
+def _input_edges(mesh, ends, on_line):
+    """(n,2): for edges of the mesh on feature lines the input's edge near them, for others (-1, -1)."""
+    size = len(mesh.points)
+    keys = np.sort(mesh.line_edges[:, :2].astype(np.int64), axis=1) @ [size, 1]
+    order = np.argsort(keys)
+    found = np.full((len(ends), 2), -1)
+    place = np.searchsorted(keys[order], ends[on_line] @ [size, 1])
+    found[on_line] = mesh.line_edge_input[order[place]]
+    return found
 
 
 def _sides(quads):

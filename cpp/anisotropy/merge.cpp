@@ -46,6 +46,26 @@ bool collapse_along(SurfaceMesh& mesh, Vertex node, Vertex neighbour) {
     return true;
 }
 
+/// Splits the edges between the node and those of its neighbours that are the given one's too without a triangle on all three:
+/// only so far as triangles are beside them, they would come to lie on each other.
+bool loosen(SurfaceMesh& mesh, Vertex node, Vertex neighbour) {
+    const HalfEdge h = mesh.find_halfedge(node, neighbour);
+    if (!h.is_valid()) return false;
+    std::vector<Edge> tight;
+    for (const HalfEdge out : mesh.outgoing(node)) {
+        const Vertex w = mesh.to(out);
+        if (w == neighbour || !mesh.find_halfedge(w, neighbour).is_valid()) continue;
+        const auto beside = [&](HalfEdge side) { return !mesh.is_boundary(side) && mesh.is_triangle(mesh.face(side)) && mesh.to(mesh.next(side)) == w; };
+        if (beside(h) || beside(M::twin(h)) || mesh.is_constrained(M::edge(out))) continue;
+        if (mesh.is_triangle(mesh.face(out)) && mesh.is_triangle(mesh.face(M::twin(out)))) tight.push_back(M::edge(out));
+    }
+    for (const Edge e : tight) {
+        const HalfEdge k = M::halfedge(e);
+        split_edge(mesh, e, 0.5 * (mesh.position(mesh.from(k)) + mesh.position(mesh.to(k))));
+    }
+    return !tight.empty();
+}
+
 }  // namespace
 
 int merge_source_nodes(SurfaceMesh& mesh, const std::vector<Vertex>& nodes, const std::vector<char>& kept) {
@@ -65,7 +85,10 @@ int merge_source_nodes(SurfaceMesh& mesh, const std::vector<Vertex>& nodes, cons
             }
             const Vertex near = k < middle ? nodes[first] : nodes[last];
             const Vertex far = k < middle ? nodes[last] : nodes[first];
-            if (!collapse_along(mesh, nodes[k], near) && !collapse_along(mesh, nodes[k], far)) ++failed;
+            const bool merged = collapse_along(mesh, nodes[k], near) || collapse_along(mesh, nodes[k], far) ||
+                                (loosen(mesh, nodes[k], near) && collapse_along(mesh, nodes[k], near)) ||
+                                (loosen(mesh, nodes[k], far) && collapse_along(mesh, nodes[k], far));
+            if (!merged) ++failed;
         }
         first = last;
     }

@@ -8,6 +8,7 @@
 
 #include "anisotropy/geodesic_trace.h"
 #include "mesh/euler_operators.h"
+#include "prepare/remesh.h"
 #include "qmorph/edge_recovery.h"
 #include "qmorph/front.h"
 #include "quality/metrics.h"
@@ -31,6 +32,8 @@ constexpr double kOverEnds = 1.25;           // height over that of the end colu
 constexpr double kFirstRow = 0.85;          // height of the first row over the local size: rows only get thicker
 constexpr double kLeastGrowthCapped = 1.015;
 constexpr double kLeastGrowth = 1.03;       // rows never get thinner away from the source
+constexpr int kMostEvened = 8;               // times that the triangles round a row are swapped
+constexpr double kEvenDeviation = 1e-3;      // off the surface, over its diagonal, by that
 constexpr std::int32_t kRowLine = 1 << 30;  // marks the edges of the row while it is built
 
 class RowBuilder {
@@ -346,7 +349,11 @@ class RowBuilder {
     }
 
     bool recover(Vertex a, Vertex b) {
-        const HalfEdge h = recover_edge(mesh_, a, b);
+        HalfEdge h = recover_edge(mesh_, a, b);
+        if (!h.is_valid() && evened_ < kMostEvened) {
+            even_out();
+            h = recover_edge(mesh_, a, b);
+        }
         if (!h.is_valid()) return false;
         const Edge e = M::edge(h);
         if (mesh_.info(e).line < 0) {
@@ -354,6 +361,19 @@ class RowBuilder {
             marked_.push_back(e);
         }
         return true;
+    }
+
+    /// Nodes that were put into long triangles leave slivers, between which no edge can be swapped: Delaunay's triangles round the
+    /// row are better.
+    void even_out() {
+        std::vector<char> zone(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        for (const auto& layer : {bottom_, top_}) {
+            for (const Vertex v : layer) {
+                for (const HalfEdge h : mesh_.outgoing(v)) zone[static_cast<std::size_t>(mesh_.to(h).index())] = 1;
+            }
+        }
+        swap_towards_delaunay(mesh_, zone, reference_, {.deviation = kEvenDeviation});
+        ++evened_;
     }
 
     bool recover_edges() {
@@ -406,6 +426,7 @@ class RowBuilder {
     std::vector<double> height_;
     std::vector<Edge> marked_;
     std::vector<Vertex> placed_;
+    int evened_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
+#include <memory>
 #include <span>
 #include <string>
 
@@ -47,6 +48,8 @@ py::dict to_dict(QuadMeshResult&& result) {
     dict["node_line"] = to_array(std::move(result.node_line));
     dict["node_input"] = to_array(std::move(result.node_input));
     dict["line_edges"] = to_array(std::move(result.line_edges));
+    dict["quad_facet"] = to_array(std::move(result.quad_facet));
+    dict["line_edge_input"] = to_array(std::move(result.line_edge_input));
     dict["report"] = to_dict(result.report);
     dict["stages"] = to_list(std::move(result.stages));
     return dict;
@@ -54,7 +57,7 @@ py::dict to_dict(QuadMeshResult&& result) {
 
 // The options by value: while the GIL is released, Python may change its own.
 py::dict mesh(const Points& points, const Triangles& triangles, const std::vector<Source>& sources, Options options,
-              const py::object& progress) {
+              const py::object& progress, const TargetSurface* target) {
     if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
     if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
     const std::span<const Eigen::Vector3d> point_span(reinterpret_cast<const Eigen::Vector3d*>(points.data()),
@@ -65,7 +68,7 @@ py::dict mesh(const Points& points, const Triangles& triangles, const std::vecto
     QuadMeshResult result;
     {
         const py::gil_scoped_release without_gil;
-        result = quad_mesh(point_span, triangle_span, sources, options, context);
+        result = quad_mesh(point_span, triangle_span, sources, options, context, target);
     }
     return to_dict(std::move(result));
 }
@@ -81,6 +84,8 @@ PYBIND11_MODULE(_core, module) {
     bind_options(module);
     bind_fem_mesh(module);
     bind_picking(module);
+    py::class_<TargetSurface, std::shared_ptr<TargetSurface>>(
+        module, "TargetSurface", "The surface behind the triangles, onto which nodes are brought; see anisoquad.cad.");
     module.def("quad_mesh", &mesh, py::arg("points").noconvert(), py::arg("triangles").noconvert(), py::arg("sources"),
-               py::arg("options"), py::arg("progress"), "See anisoquad.quad_mesh. Returns the fields of QuadMesh as a dict.");
+               py::arg("options"), py::arg("progress"), py::arg("target") = nullptr, "See anisoquad.quad_mesh. Returns the fields of QuadMesh as a dict.");
 }

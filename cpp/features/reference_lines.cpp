@@ -13,6 +13,7 @@ ReferenceLines::ReferenceLines(const SurfaceMesh& mesh, std::span<const FeatureL
             const Point& p = mesh.position(v);
             kept.way.push_back(kept.points.empty() ? 0.0 : kept.way.back() + (p - kept.points.back()).norm());
             kept.points.push_back(p);
+            kept.vertices.push_back(v.index());
         }
         lines_.push_back(std::move(kept));
     }
@@ -43,6 +44,14 @@ double ReferenceLines::closest(std::int32_t line, const Point& p) const {
         }
     }
     return way;
+}
+
+ReferenceLines::EdgePlace ReferenceLines::edge_at(std::int32_t line, double way) const {
+    const Line& l = lines_[static_cast<std::size_t>(line)];
+    if (l.closed) way -= std::floor(way / l.way.back()) * l.way.back();
+    const auto after = std::upper_bound(l.way.begin() + 1, l.way.end() - 1, way);
+    const auto i = static_cast<std::size_t>(after - l.way.begin());
+    return {{l.vertices[i - 1], l.vertices[i]}, std::clamp((way - l.way[i - 1]) / (l.way[i] - l.way[i - 1]), 0.0, 1.0)};
 }
 
 double ReferenceLines::deviation(std::int32_t line, double from, double to) const {

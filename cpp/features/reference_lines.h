@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,14 @@ class ReferenceLines {
     Point at(std::int32_t line, double way) const;
     /// Place closest to p.
     double closest(std::int32_t line, const Point& p) const;
+    /// The input edge that holds the place closest to p: its vertices, and how far from the first to the second, 0…1.
+    struct EdgePlace {
+        std::array<std::int32_t, 2> edge{-1, -1};
+        double share = 0.0;
+    };
+    EdgePlace closest_edge(std::int32_t line, const Point& p) const { return edge_at(line, closest(line, p)); }
+    /// The same for a place, as in at().
+    EdgePlace edge_at(std::int32_t line, double way) const;
     /// Largest distance of the line between two places, from < to ≤ from + length, from the straight edge between them.
     double deviation(std::int32_t line, double from, double to) const;
 
@@ -30,6 +39,7 @@ class ReferenceLines {
     struct Line {
         std::vector<Point> points;
         std::vector<double> way;
+        std::vector<std::int32_t> vertices;
         bool closed = false;
     };
     std::vector<Line> lines_;

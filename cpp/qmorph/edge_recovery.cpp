@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 
 constexpr int kMostCrossed = 400;
 constexpr double kTouching = 0.15;      // distance of a node from the line, over the line's length
+constexpr double kInTheWay = 0.5;         // the same for a node that is taken away from it
 constexpr double kLeastFold = 0.3;       // cosine between the triangles of a swapped edge
 constexpr double kLeastTriangle = 0.02;  // of a triangle round a node that is pushed
 
@@ -122,13 +123,26 @@ class EdgeRecovery {
             if (mesh_.is_deleted(e)) continue;
             for (const Vertex v : {mesh_.from(M::halfedge(e)), mesh_.to(M::halfedge(e))}) {
                 if (mesh_.is_deleted(v) || !is_free(v)) continue;
+                // No edge of a node inside of a triangle can be swapped.
+                if (mesh_.valence(v) == 3) {
+                    const HalfEdge out = mesh_.halfedge(v);
+                    if (!is_collapse_ok(mesh_, out)) continue;
+                    collapse(mesh_, out);
+                    changed = true;
+                    break;
+                }
                 const Vector3d offset = at(v) - at(a_);
                 const double along = offset.dot(line_) / line_.squaredNorm();
                 const Vector3d across = normal_.cross(line_).normalized();
                 const double distance = offset.dot(across);
-                if (along <= 0.0 || along >= 1.0 || std::abs(distance) > kTouching * line_.norm()) continue;
+                if (along <= 0.0 || along >= 1.0 || std::abs(distance) > kInTheWay * line_.norm()) continue;
+                if (std::abs(distance) > kTouching * line_.norm()) {
+                    changed = merge_away(v, distance > 0.0) || changed;
+                    if (mesh_.is_deleted(e)) break;
+                    continue;
+                }
                 changed = push_off(v, (distance > 0.0 ? 1.0 : -1.0) * across, kTouching * line_.norm() - std::abs(distance)) ||
-                          merge_into(v, along < 0.5 ? a_ : b_) || changed;
+                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || changed;
                 if (mesh_.is_deleted(e)) break;
             }
         }
@@ -169,6 +183,19 @@ class EdgeRecovery {
         }
         collapse(mesh_, h);
         return true;
+    }
+
+    /// Merges a node into a neighbour on its own side of the line.
+    bool merge_away(Vertex v, bool left) {
+        std::vector<Vertex> ends;
+        for (const HalfEdge out : mesh_.outgoing(v)) {
+            const Vertex w = mesh_.to(out);
+            if (w != a_ && w != b_ && (side(w) > 0.0) == left && std::abs(side(w)) > std::abs(side(v))) ends.push_back(w);
+        }
+        for (const Vertex w : ends) {
+            if (merge_into(v, w)) return true;
+        }
+        return false;
     }
 
     HalfEdge swap_crossed() {

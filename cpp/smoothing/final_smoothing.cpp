@@ -77,7 +77,11 @@ class FinalSmoother {
     static std::size_t index(Vertex v) { return static_cast<std::size_t>(v.index()); }
 
     bool visit(Vertex v) {
-        if (mesh_.info(v).kind != NodeKind::interior) return slide_on_line(mesh_, v) || (!lines_.empty() && slide_on_curve(mesh_, v, lines_));
+        if (mesh_.info(v).kind != NodeKind::interior) {
+            if (lines_.empty()) return slide_on_line(mesh_, v);
+            if (reference_.target()) return slide_on_target(mesh_, v, lines_, reference_.target());
+            return slide_on_line(mesh_, v) || slide_on_curve(mesh_, v, lines_);
+        }
         Star star;
         if (!star.gather(mesh_, v)) return false;
         star.see_along_surface(reference_);

@@ -33,6 +33,62 @@ bool find_line_neighbours(const SurfaceMesh& mesh, Vertex v, std::array<Vertex, 
 
 double score(const Star& star, const Point& p) { return star.quality(p).score(); }
 
+/// A node's place on its line between those of its neighbours, low < here < high; on a closed line past its first node if need be.
+struct LineStretch {
+    std::int32_t line = -1;
+    double low = 0.0;
+    double here = 0.0;
+    double high = 0.0;
+};
+
+bool find_stretch(const SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, LineStretch& s) {
+    std::array<Vertex, 2> ends;
+    if (!find_line_neighbours(mesh, v, ends)) return false;
+    s.line = mesh.info(v).line;
+    s.here = lines.closest(s.line, mesh.position(v));
+    s.low = lines.closest(s.line, mesh.position(ends[0]));
+    s.high = lines.closest(s.line, mesh.position(ends[1]));
+    if (s.low > s.high) std::swap(s.low, s.high);
+    if (s.low < s.here && s.here < s.high) return true;
+    if (!lines.is_closed(s.line)) return false;
+    const double length = lines.length(s.line);
+    if (s.here > s.high) std::swap(s.low, s.high), s.high += length;
+    if (s.here < s.low) std::swap(s.low, s.high), s.low -= length;
+    return s.low < s.here && s.here < s.high;
+}
+
+/// The node's star, every face seen as it is turned now: across a sharp line there is no common normal.
+bool gather_on_line(const SurfaceMesh& mesh, Vertex v, Star& star) {
+    std::array<Vertex, 2> ends;
+    if (!find_line_neighbours(mesh, v, ends) || !star.gather(mesh, v)) return false;
+    star.use_face_normals();
+    return true;
+}
+
+/// Where on its stretch the node's star scores best, with edges that leave the line by no more than a deviation.
+/// @param from the node's place in space @returns `here` where no place is better
+double best_place(const Star& star, const ReferenceLines& lines, const LineStretch& s, double deviation, const Point& from) {
+    const double worst = star.quality(from).worst;
+    const double margin = kMargin * (s.high - s.low);
+    const double before = score(star, from);
+    double best = before;
+    double place = s.here;
+    for (double step = kFirstStep * (s.high - s.low); step >= kSmallestStep * (s.high - s.low);) {
+        double found = place;
+        for (const double trial : {place - step, place + step}) {
+            if (trial < s.low + margin || trial > s.high - margin) continue;
+            const double value = score(star, lines.at(s.line, trial));
+            if (value <= best + kTie || star.quality(lines.at(s.line, trial)).worst < worst) continue;
+            if (lines.deviation(s.line, s.low, trial) > deviation || lines.deviation(s.line, trial, s.high) > deviation) continue;
+            best = value;
+            found = trial;
+        }
+        if (found == place) step *= 0.5;
+        place = found;
+    }
+    return best < before + kLeastGain ? s.here : place;
+}
+
 }  // namespace
 
 bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
@@ -71,46 +127,31 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
 }
 
 bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
-    std::array<Vertex, 2> ends;
-    if (!find_line_neighbours(mesh, v, ends)) return false;
+    LineStretch stretch;
     Star star;
-    if (!star.gather(mesh, v)) return false;
-    star.use_face_normals();
-    const double worst = star.quality(star.centre()).worst;
-    if (worst >= Star::kPoor) return false;
+    if (!gather_on_line(mesh, v, star) || star.quality(star.centre()).worst >= Star::kPoor || !find_stretch(mesh, v, lines, stretch)) return false;
+    const double place = best_place(star, lines, stretch, kDeviation, star.centre());
+    if (place == stretch.here) return false;
+    mesh.position(v) = lines.at(stretch.line, place);
+    mesh.info(v).input = -1;
+    return true;
+}
 
-    // Places of the neighbours so that low < here < high, on a closed line past its first node if need be.
-    const std::int32_t line = mesh.info(v).line;
-    const double here = lines.closest(line, star.centre());
-    double low = lines.closest(line, mesh.position(ends[0]));
-    double high = lines.closest(line, mesh.position(ends[1]));
-    if (low > high) std::swap(low, high);
-    if (!(low < here && here < high)) {
-        if (!lines.is_closed(line)) return false;
-        const double length = lines.length(line);
-        if (here > high) std::swap(low, high), high += length;
-        if (here < low) std::swap(low, high), low -= length;
-        if (!(low < here && here < high)) return false;
-    }
-    const double margin = kMargin * (high - low);
-    double best = score(star, star.centre());
-    const double before = best;
-    double place = here;
-    for (double step = kFirstStep * (high - low); step >= kSmallestStep * (high - low);) {
-        double found = place;
-        for (const double trial : {place - step, place + step}) {
-            if (trial < low + margin || trial > high - margin) continue;
-            const double s = score(star, lines.at(line, trial));
-            if (s <= best + kTie || star.quality(lines.at(line, trial)).worst < worst) continue;
-            if (lines.deviation(line, low, trial) > kDeviation || lines.deviation(line, trial, high) > kDeviation) continue;
-            best = s;
-            found = trial;
-        }
-        if (found == place) step *= 0.5;
-        place = found;
-    }
-    if (place == here || best < before + kLeastGain) return false;
-    mesh.position(v) = lines.at(line, place);
+bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, const FramedTarget& target) {
+    LineStretch stretch;
+    Star star;
+    if (!gather_on_line(mesh, v, star) || !find_stretch(mesh, v, lines, stretch)) return false;
+    const double deviation = std::max({kDeviation, lines.deviation(stretch.line, stretch.low, stretch.here), lines.deviation(stretch.line, stretch.here, stretch.high)});
+    const double place = best_place(star, lines, stretch, deviation, lines.at(stretch.line, stretch.here));
+    if (place == stretch.here) return false;
+    const ReferenceLines::EdgePlace on = lines.edge_at(stretch.line, place);
+    Point p = lines.at(stretch.line, place);
+    const TargetPlace there{-1, Vector3d::Zero(), on.edge, on.share};
+    target.project(std::span(&there, 1), std::span(&p, 1));
+    const Star::Quality before = star.quality(star.centre());
+    const Star::Quality after = star.quality(p);
+    if (!p.allFinite() || after.score() < before.score() + kLeastGain || after.worst < std::min(before.worst, Star::kPoor)) return false;
+    mesh.position(v) = p;
     mesh.info(v).input = -1;
     return true;
 }

@@ -2,6 +2,7 @@
 
 #include "features/reference_lines.h"
 #include "mesh/surface_mesh.h"
+#include "surface/target_surface.h"
 
 namespace anisoquad {
 
@@ -15,5 +16,10 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v);
 /// the lower line do not face each other). The edges beside the node stay within 4e-5 of the model's size of the line.
 /// @param lines in the mesh's frame, in which the model's diagonal is 1
 bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines);
+
+/// The same on a line of a target, for every node: exactly on the target's curve, and edges beside the node may leave the line as far
+/// as they do already.
+/// @param target to which the input's lines belong
+bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, const FramedTarget& target);
 
 }  // namespace anisoquad

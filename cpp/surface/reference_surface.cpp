@@ -87,10 +87,22 @@ SurfacePoint ReferenceSurface::closest(const Point& p, std::int32_t patch, std::
     return {c.position, c.facet, std::sqrt(c.distance2), interpolated_normal(c)};
 }
 
+TargetPlace ReferenceSurface::place(const Point& p, std::int32_t patch, std::int32_t& hint) const {
+    const FacetTree::Hit c = tree_.closest(p, patch, hint);
+    if (c.facet >= 0) hint = c.facet;
+    return {c.facet, c.weights};
+}
+
 Point ReferenceSurface::project(const Point& p, std::int32_t patch, std::int32_t& hint) const {
     const FacetTree::Hit c = tree_.closest(p, patch, hint);
     if (c.facet < 0) return p;
     hint = c.facet;
+    if (target_) {
+        Point moved = p;
+        const TargetPlace place{c.facet, c.weights};
+        target_.project(std::span(&place, 1), std::span(&moved, 1));
+        return moved;
+    }
     const auto& t = tree_.facet(c.facet);
     Vector3d lift = Vector3d::Zero();
     double longest = 0.0;

@@ -8,6 +8,7 @@
 
 #include "mesh/surface_mesh.h"
 #include "surface/facet_tree.h"
+#include "surface/target_surface.h"
 
 namespace anisoquad {
 
@@ -40,8 +41,15 @@ class ReferenceSurface {
     /// Closest point, lifted off its facet by the quadratic that has the corners' normals, so that a curved surface is not
     /// flattened onto its facets (α = 1/2 of @cite boubekeur2008phong is exact for quadrics). The lift is zero on flat facets
     /// and never more than a tenth of the facet's height or 5e-4 of the surface's diagonal.
+    /// With a target (set_target()) the target's point instead.
     /// @param hint in: facet near p or -1, out: facet of the closest point
     Point project(const Point& p, std::int32_t patch, std::int32_t& hint) const;
+    /// Where p is on the facets of its patch. @param hint as in project()
+    TargetPlace place(const Point& p, std::int32_t patch, std::int32_t& hint) const;
+
+    /// From now on project() asks the surface of which these facets are a triangulation. @param target outlives this
+    void set_target(const FramedTarget& target) { target_ = target; }
+    const FramedTarget& target() const { return target_; }
 
     const FacetTree& tree() const { return tree_; }
     std::int32_t facet_count() const { return tree_.count(); }
@@ -57,6 +65,7 @@ class ReferenceSurface {
     FacetTree tree_;
     std::vector<Eigen::Vector3d> facet_normal_;
     std::vector<std::array<Eigen::Vector3f, 3>> corner_normal_;
+    FramedTarget target_;
 };
 
 }  // namespace anisoquad

@@ -51,6 +51,8 @@ def leading_edge_of(file):
 def mesh(file, output, source=None):
     """(report, seconds of the whole process)."""
     report = output.with_suffix(".report.json")
+    for old in (output, report):
+        old.unlink(missing_ok=True)
     command = [sys.executable, "-m", "anisoquad", file, output, "--report", report]
     if source:
         command += ["--source", source, "--anisotropy", "8"]

@@ -7,7 +7,7 @@ from PySide.QtCore import QT_TRANSLATE_NOOP
 
 from .. import preferences
 from .command import Command, newest, record, reference, transaction
-from .selection import free_sources, is_mesh, is_mesh_or_shape, only, triangles_of
+from .selection import free_sources, is_mesh, is_mesh_or_shape, only
 
 
 class QuadMeshCommand(Command):
@@ -55,6 +55,8 @@ def add_quad_mesh(base):
 
 def triangles_for(shape):
     """The tessellation of a Part object, made and recorded where there is none yet."""
+    from ..objects.triangles_object import triangles_of
+
     triangles = triangles_of(shape)
     if triangles is None:
         record(f"anisoquad.make_triangles(FreeCAD.ActiveDocument, {reference(shape)})", "FreeCAD.ActiveDocument.recompute()")

@@ -46,13 +46,6 @@ def selected_edges():
     return (chosen[0].Object, names) if all(name.startswith("Edge") for name in names) else None
 
 
-def triangles_of(shape):
-    """The tessellation of a Part object in the document, or None."""
-    from ..objects.triangles_object import is_triangles_of
-
-    return next((obj for obj in shape.InList if is_triangles_of(obj, shape)), None)
-
-
 def quad_meshes_on(base):
     """The quad mesh objects of a triangle mesh."""
     from ..objects.quad_mesh_object import is_quad_mesh

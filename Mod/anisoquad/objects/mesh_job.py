@@ -13,6 +13,7 @@ from ..surface_lines import imprint
 from .base_mesh import base_arrays
 from .mesh_run import MeshRun
 from .option_properties import options_of
+from .shape_link import shape_behind
 from .source_object import source_of
 
 
@@ -21,15 +22,17 @@ class MeshJob:
 
     points    -- (N,3) float64, triangles -- (M,3) int32: the base mesh in world coordinates
     sources   -- anisoquad.Source objects; imprinted -- for each whether it is straightened first
+    shape     -- the ShapeLink of the CAD shape onto which nodes are put, or None
     """
 
-    def __init__(self, points, triangles, sources, imprinted, options, order):
+    def __init__(self, points, triangles, sources, imprinted, options, order, shape=None):
         self.points = points
         self.triangles = triangles
         self.sources = sources
         self.imprinted = imprinted
         self.options = options
         self.order = order
+        self.shape = shape
 
     @classmethod
     def of(cls, obj):
@@ -37,25 +40,27 @@ class MeshJob:
         points, triangles = base_arrays(checked_base(obj))
         sources = [source_of(source, obj.Base) for source in obj.Sources]
         imprinted = [source.Imprint for source in obj.Sources]
-        return cls(points, triangles, sources, imprinted, options_of(obj), 2 if obj.ElementOrder == "2nd" else 1)
+        shape = shape_behind(obj.Base, obj.SmoothAngle.Value) if obj.OntoShape else None
+        return cls(points, triangles, sources, imprinted, options_of(obj), 2 if obj.ElementOrder == "2nd" else 1, shape)
 
     @cached_property
     def key(self):
         """Text that differs when anything that the result depends on does."""
         settings = [(name, getattr(self.options, name)) for name in Options.fields]
-        text = repr((self.sources, self.imprinted, settings, self.order)).encode()
+        text = repr((self.sources, self.imprinted, settings, self.order, self.shape)).encode()
         return f"{len(self.points)} {len(self.triangles)} {zlib.crc32(self.points):08x} {zlib.crc32(self.triangles):08x} {zlib.crc32(text):08x}"
 
     def run(self, progress=None):
         """Mesh; returns a MeshRun. Raises MeshError, and Cancelled when progress(stage, fraction) returned False."""
         points, triangles, sources = self.straightened()
-        mesh = quad_mesh(points, triangles, sources, self.options, progress)
+        surface = self.shape.surface(points, triangles) if self.shape else None
+        mesh = quad_mesh(points, triangles, sources, self.options, progress, surface)
         if len(points) > len(self.points):  # what the imprint added is not a point of the user's mesh
             mesh = replace(mesh, node_input=np.where(mesh.node_input < len(self.points), mesh.node_input, -1).astype(np.int32))
         quadratic = None
         if self.order == 2:
             lines = [source.vertices for source in sources] + [list(edge) for edge in self.options.feature_edges]
-            quadratic = second_order(mesh, points, triangles, self.options.feature_angle, lines)
+            quadratic = second_order(mesh, points, triangles, self.options.feature_angle, lines, surface)
         return MeshRun(mesh, quadratic, self.key)
 
     def run_for_document(self, progress=None):
@@ -69,7 +74,8 @@ class MeshJob:
         points, triangles, sources = self.straightened()
         options = Options(**{name: getattr(self.options, name) for name in Options.fields})
         options.cleanup, options.smoothing_passes = False, 0
-        return row_edges(quad_mesh(points, triangles, sources, options, progress))
+        surface = self.shape.surface(points, triangles) if self.shape else None
+        return row_edges(quad_mesh(points, triangles, sources, options, progress, surface))
 
     def straightened(self):
         """(points, triangles, sources) with the sources imprinted that are to be."""

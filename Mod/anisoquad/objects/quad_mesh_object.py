@@ -43,6 +43,12 @@ class QuadMeshObject(properties.SavedByProperties):
         properties.add(obj, "App::PropertyLinkList", "Sources", "QuadMesh", "Lines along which anisotropic rows are built")
         if properties.add(obj, "App::PropertyEnumeration", "ElementOrder", "QuadMesh", "1st: four nodes a quad; 2nd: eight"):
             obj.ElementOrder = ["1st", "2nd"]
+        if properties.add(obj, "App::PropertyBool", "OntoShape", "QuadMesh",
+                          "Where the base is the tessellation of a Part object: patches are its faces, and nodes lie exactly on it"):
+            obj.OntoShape = True
+        properties.add(obj, "App::PropertyAngle", "SmoothAngle", "QuadMesh",
+                       "Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one")
+        properties.add(obj, "App::PropertyLink", "Part", "QuadMesh", "The Part object on which the mesh lies, where FEM looks for it", True)
         add_options(obj)
         add_report(obj)
         properties.add(obj, "App::PropertyString", "BaseSignature", "Internal", "The base mesh of the last run", True)
@@ -63,6 +69,9 @@ class QuadMeshObject(properties.SavedByProperties):
         self.error = None
         self.keep(run)
         obj.FemMesh = run.take_fem_mesh(job)
+        part = obj.Base.Shape if job.shape is not None else None
+        if obj.Part is not part:
+            obj.Part = part
         obj.BaseSignature = base_signature(obj.Base)
         obj.QuadData = run.packed
         show_report(obj, run.mesh.report)

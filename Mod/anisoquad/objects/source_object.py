@@ -3,11 +3,14 @@
 import FreeCAD
 import numpy as np
 
+from ..cad import has_cad
 from ..errors import MeshError
 from ..source import Source
 from . import properties
 from .base_mesh import base_arrays
 from .part_edges import vertices_on_edges
+from .shape_link import link_to
+from .triangles_object import is_triangles_of
 
 SCHEMA_VERSION = 1
 
@@ -15,6 +18,7 @@ _INPUTS = (
     ("Base", "App::PropertyLink", "The triangle mesh on which the line lies"),
     ("Vertices", "App::PropertyIntegerList", "Point ids of the base mesh; closed when the first is also the last"),
     ("Edges", "App::PropertyLinkSub", "Edges of a Part object instead: the mesh edges on them are the line"),
+    ("Reverse", "App::PropertyBool", "The line runs against its first edge: left and right change"),
     ("Anisotropy", "App::PropertyInteger", "Maximum anisotropy, used where no passes are given; 1: a feature line without rows"),
     ("Passes", "App::PropertyString", "Merge ratio of each pass, with rows or not: 4:6, 2, 2"),
     ("Sides", "App::PropertyEnumeration", "Sides of the line, seen along it with the surface's normal up, that get rows"),
@@ -51,8 +55,7 @@ class SourceObject(properties.SavedByProperties):
             raise MeshError("Base: no triangle mesh is chosen.", code="empty_mesh")
         points, triangles = base_arrays(obj.Base)
         if obj.Edges:
-            shape, names = obj.Edges
-            obj.Vertices = vertices_on_edges(points, triangles, [shape.getSubObject(name) for name in names])
+            obj.Vertices = self._on_edges(obj, points, triangles)
         ids = np.array(obj.Vertices, int)
         missing = ids[(ids < 0) | (ids >= len(points))].tolist()
         if missing:
@@ -61,6 +64,14 @@ class SourceObject(properties.SavedByProperties):
         obj.Length = float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
         obj.EdgeCount = max(len(line) - 1, 0)
         obj.Points = [FreeCAD.Vector(*point) for point in line.tolist()]
+
+    @staticmethod
+    def _on_edges(obj, points, triangles):
+        shape, names = obj.Edges
+        if is_triangles_of(obj.Base, shape) and has_cad():
+            return link_to(shape).surface(points, triangles).path(names, reverse=obj.Reverse)
+        path = vertices_on_edges(points, triangles, [shape.getSubObject(name) for name in names])
+        return path[::-1] if obj.Reverse else path
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)

@@ -2,12 +2,11 @@
 
 import FreeCAD
 
-from ..errors import MeshError
 from . import properties
 
 SCHEMA_VERSION = 1
 
-_DEFLECTION = 1e-3  # of the shape's diagonal
+_DEFLECTION = 2e-4  # of the shape's diagonal; coarser ones leave too little of thin noses and small fillets to remesh
 
 
 class TrianglesObject(properties.SavedByProperties):
@@ -21,11 +20,11 @@ class TrianglesObject(properties.SavedByProperties):
     def add_properties(self, obj):
         """Add what is missing."""
         properties.add(obj, "App::PropertyLink", "Shape", "Triangles", "The Part object")
-        properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape; 0: a thousandth of its diagonal")
+        properties.add(obj, "App::PropertyLength", "Deflection", "Triangles", "Largest distance of the triangles from the shape; 0: a five-thousandth of its diagonal")
         properties.add(obj, "App::PropertyLength", "MaxLength", "Triangles",
                        "Largest edge of well-shaped triangles (Mefisto) instead; 0: as large as deflection and angle allow")
         if properties.add(obj, "App::PropertyAngle", "Angle", "Triangles", "Largest angle between the normals of neighbours"):
-            obj.Angle = 15.0
+            obj.Angle = 8.0
         if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
             obj.SchemaVersion = SCHEMA_VERSION
         properties.hide(obj, "SchemaVersion")
@@ -34,9 +33,9 @@ class TrianglesObject(properties.SavedByProperties):
         """Tessellate. Raises MeshError when there is no shape."""
         import MeshPart
 
-        if obj.Shape is None or not hasattr(obj.Shape, "Shape") or obj.Shape.Shape.isNull():
-            raise MeshError("Shape: no Part object is chosen.", code="empty_mesh")
-        shape = obj.Shape.Shape
+        from .shape_link import shape_of
+
+        shape = shape_of(obj.Shape)
         if obj.MaxLength.Value > 0.0:
             obj.Mesh = MeshPart.meshFromShape(Shape=shape, MaxLength=obj.MaxLength.Value)
             return
@@ -56,6 +55,16 @@ class TrianglesObject(properties.SavedByProperties):
             attach(obj)
 
 
+def is_triangles(obj):
+    """True for the tessellation of a Part object."""
+    return properties.is_kind(obj, TrianglesObject)
+
+
 def is_triangles_of(obj, shape):
     """True for the tessellation of this Part object."""
-    return properties.is_kind(obj, TrianglesObject) and obj.Shape is shape
+    return is_triangles(obj) and obj.Shape is shape
+
+
+def triangles_of(shape):
+    """The tessellation of a Part object in its document, or None."""
+    return next((obj for obj in shape.InList if is_triangles_of(obj, shape)), None)

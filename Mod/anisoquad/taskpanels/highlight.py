@@ -18,7 +18,7 @@ class Highlight:
 
     def show(self, error, base):
         """Mark what a MeshError names, on the mesh object that it is about; nothing where it names nothing."""
-        if error.kind == "none" or base is None:
+        if error.kind not in ("vertex", "edge", "facet") or base is None:
             self.clear()
             return
         points, triangles = base_arrays(base)

@@ -81,6 +81,26 @@ TEST(Merge, TrianglesOnASideWithoutRowsAreCollapsedAlongTheSource) {
     }
 }
 
+TEST(Merge, SourceNodesThatTheTrianglesHoldTightAreFreed) {
+    GridRows p(8, 6, 3, 2);
+    const std::vector<Vertex> source_nodes = p.stack.layers[0];
+    merge_rows(p.mesh, p.stack, kKept);
+    // A node inside of the triangle beside each edge: the edge's ends then have a common neighbour beyond it.
+    for (std::size_t i = 0; i + 1 < source_nodes.size(); ++i) {
+        const HalfEdge h = p.mesh.find_halfedge(source_nodes[i + 1], source_nodes[i]);
+        ASSERT_TRUE(p.mesh.is_triangle(p.mesh.face(h)));
+        const Point middle = (p.mesh.position(p.mesh.from(h)) + p.mesh.position(p.mesh.to(h)) + p.mesh.position(p.mesh.to(p.mesh.next(h)))) / 3.0;
+        split_face(p.mesh, p.mesh.face(h), middle);
+    }
+    EXPECT_EQ(merge_source_nodes(p.mesh, source_nodes, kKept), 0);
+    EXPECT_TRUE(topology(p.mesh) == p.before);
+    for (std::size_t i = 0; i + 1 < p.stack.layers[0].size(); ++i) {
+        const HalfEdge h = p.mesh.find_halfedge(p.stack.layers[0][i], p.stack.layers[0][i + 1]);
+        ASSERT_TRUE(h.is_valid());
+        EXPECT_TRUE(p.mesh.is_quad(p.mesh.face(h)));
+    }
+}
+
 TEST(Merge, AStackWithoutRowsOnlyLosesSourceNodes) {
     GridRows p(8, 6, 3, 0);
     const std::vector<Vertex> source_nodes = p.stack.layers[0];

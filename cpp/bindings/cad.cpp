@@ -1,0 +1,143 @@
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "cad/cad_surface.h"
+#include "cad/edge_chain.h"
+#include "cad/link_mesh.h"
+#include "cad/read_shape.h"
+#include "cad/shape.h"
+#include "cad/smooth_edges.h"
+#include "cad/triangulate.h"
+
+namespace py = pybind11;
+
+namespace anisoquad::cad {
+namespace {
+
+using PointArray = py::array_t<double, py::array::c_style>;
+using TriangleArray = py::array_t<std::int32_t, py::array::c_style>;
+using Ids = std::vector<std::int32_t>;
+using ShapePointer = std::shared_ptr<CadShape>;
+
+std::span<const Eigen::Vector3d> span_of(const PointArray& points) {
+    if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
+    return {reinterpret_cast<const Eigen::Vector3d*>(points.data()), static_cast<std::size_t>(points.shape(0))};
+}
+
+std::span<const std::array<std::int32_t, 3>> span_of(const TriangleArray& triangles) {
+    if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
+    return {reinterpret_cast<const std::array<std::int32_t, 3>*>(triangles.data()), static_cast<std::size_t>(triangles.shape(0))};
+}
+
+ShapePointer make_shape(TopoDS_Shape read, const std::string& name, bool check) {
+    auto shape = std::make_shared<CadShape>(std::move(read), name);
+    if (check) check_shape(*shape);
+    return shape;
+}
+
+std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const PointArray& points, const TriangleArray& triangles,
+                                           double smooth_angle) {
+    const auto points_of = span_of(points);
+    const auto triangles_of = span_of(triangles);
+    const py::gil_scoped_release without_gil;
+    auto linked = std::make_shared<const MeshLink>(link_mesh(*shape, points_of, triangles_of));
+    const std::vector<char> joined = smooth_angle > 0.0 ? smooth_edges(*shape, smooth_angle) : std::vector<char>();
+    return std::make_shared<CadSurface>(shape, std::move(linked), triangles_of, joined);
+}
+
+py::array projected(const CadSurface& surface, const PointArray& points, const std::vector<std::int32_t>& facets,
+                    const std::vector<std::array<std::int32_t, 2>>& edges) {
+    const auto points_of = span_of(points);
+    const auto count = static_cast<std::int32_t>(surface.link().facet_face.size());
+    if (facets.size() != points_of.size() || edges.size() != points_of.size())
+        throw std::invalid_argument("one facet and edge for each point");
+    std::vector<Eigen::Vector3d> moved(points_of.begin(), points_of.end());
+    {
+        const py::gil_scoped_release without_gil;
+        std::vector<TargetPlace> places;
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            if (facets[i] < 0 || facets[i] >= count) throw std::invalid_argument("no such facet");
+            places.push_back({facets[i], Eigen::Vector3d::Constant(1.0 / 3.0), edges[i], 0.5});
+        }
+        surface.project(places, moved);
+    }
+    return to_array(std::move(moved));
+}
+
+py::list entities(const MeshLink& link) {
+    constexpr const char* kinds[] = {"face", "edge", "vertex"};
+    py::list list;
+    for (const Entity& e : link.entity) list.append(py::make_tuple(kinds[static_cast<std::size_t>(e.kind)], e.index));
+    return list;
+}
+
+}  // namespace
+}  // namespace anisoquad::cad
+
+PYBIND11_MODULE(_cad, module) {
+    using namespace anisoquad;
+    using namespace anisoquad::cad;
+    module.doc() = "The compiled part that needs OpenCASCADE. Use it through anisoquad.cad.";
+    bind_errors();
+    py::module_::import("anisoquad._core");  // knows TargetSurface
+
+    py::class_<CadShape, ShapePointer>(module, "CadShape")
+        .def_static(
+            "from_brep",
+            [](const std::string& text, const std::string& name, bool check) { return make_shape(read_brep(text), name, check); },
+            py::arg("text"), py::arg("name"), py::arg("check"), py::call_guard<py::gil_scoped_release>())
+        .def_static(
+            "from_file",
+            [](const std::string& path, const std::string& name, bool check) {
+                return make_shape(read_shape(path), name, check);
+            },
+            py::arg("path"), py::arg("name"), py::arg("check"), py::call_guard<py::gil_scoped_release>())
+        .def_property_readonly("name", &CadShape::name)
+        .def_property_readonly("diagonal", &CadShape::diagonal)
+        .def_property_readonly("face_count", [](const CadShape& s) { return s.faces().size(); })
+        .def_property_readonly("edge_count", [](const CadShape& s) { return s.edges().size(); })
+        .def(
+            "triangulate",
+            [](const CadShape& shape, double deflection, double angle) {
+                Triangulation t;
+                {
+                    const py::gil_scoped_release without_gil;
+                    t = triangulate(shape, {deflection, angle});
+                }
+                return py::make_tuple(to_array(std::move(t.points)), to_array(std::move(t.triangles)));
+            },
+            py::arg("deflection"), py::arg("angle"))
+        .def(
+            "tangent_chain",
+            [](const CadShape& shape, std::int32_t edge, double angle) {
+                py::list list;
+                for (const DirectedEdge& e : tangent_chain(shape, edge, angle)) list.append(py::make_tuple(e.edge, e.reversed));
+                return list;
+            },
+            py::arg("edge"), py::arg("angle"));
+
+    py::class_<CadSurface, TargetSurface, std::shared_ptr<CadSurface>>(module, "CadSurface")
+        .def(py::init(&linked_surface), py::arg("shape"), py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("smooth_angle"))
+        .def_property_readonly("points",
+                               [](const CadSurface& s) { return to_array(std::vector<Eigen::Vector3d>(s.link().points)); })
+        .def_property_readonly("facet_face",
+                               [](const CadSurface& s) { return to_array(std::vector<std::int32_t>(s.link().facet_face)); })
+        .def_property_readonly("entities", [](const CadSurface& s) { return entities(s.link()); })
+        .def(
+            "edge_path", [](const CadSurface& s, std::size_t edge) { return s.link().paths.at(edge).vertices; }, py::arg("edge"))
+        .def("feature_edges", &CadSurface::feature_edges)
+        .def(
+            "path",
+            [](const CadSurface& s, const Ids& edges, bool reversed) {
+                return path_on_edges(s.shape(), s.link().paths, edges, reversed);
+            },
+            py::arg("edges"), py::arg("reversed"))
+        .def("project", &projected, py::arg("points"), py::arg("facets"), py::arg("edges"))
+        .def("edge_of", &CadSurface::edge_of, py::arg("a"), py::arg("b"));
+}

@@ -1,0 +1,157 @@
+#include "cad/triangulate.h"
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "cad/check_triangles.h"
+#include "cad/to_eigen.h"
+#include "errors.h"
+
+namespace anisoquad::cad {
+namespace {
+
+constexpr double kDeflection = 2e-4;  ///< of the diagonal; coarser ones leave too little of thin noses and small fillets
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Nodes of all faces, those that edges share made one.
+class Assembly {
+  public:
+    explicit Assembly(const TopoDS_Shape& shape) {
+        TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+        TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+        TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
+        at_vertex_.assign(at(vertices_.Extent()), -1);
+        on_edge_.resize(at(edges_.Extent()));
+    }
+
+    Triangulation run(const std::string& name) {
+        std::vector<std::int32_t> failed;
+        for (int i = 1; i <= faces_.Extent(); ++i) {
+            if (!add_face(TopoDS::Face(faces_(i)))) failed.push_back(i - 1);
+        }
+        if (!failed.empty()) {
+            throw Error(ErrorCode::face_not_meshable,
+                        "No triangles can be made on " + CadShape::names("Face", failed) + " of " + name + ".",
+                        ElementKind::cad_face, failed);
+        }
+        return finish();
+    }
+
+  private:
+    bool add_face(const TopoDS_Face& face) {
+        TopLoc_Location location;
+        const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
+        if (mesh.IsNull() || mesh->NbTriangles() == 0) return false;
+        const auto base = static_cast<std::int32_t>(points_.size());
+        for (int i = 1; i <= mesh->NbNodes(); ++i) {
+            points_.push_back(to_eigen(mesh->Node(i).Transformed(location.Transformation())));
+            same_.push_back(base + i - 1);
+        }
+        for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) join_edge(TopoDS::Edge(e.Current()), mesh, location, base);
+        for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+            int a = 0, b = 0, c = 0;
+            mesh->Triangle(i).Get(a, b, c);
+            if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
+            triangles_.push_back({base + a - 1, base + b - 1, base + c - 1});
+        }
+        return true;
+    }
+
+    void join_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh, const TopLoc_Location& location,
+                   std::int32_t base) {
+        // A seam has a polygon for each of its sides: that of the orientation is given.
+        const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
+        if (polygon.IsNull()) return;
+        std::vector<std::int32_t> nodes;
+        for (int i = 1; i <= polygon->NbNodes(); ++i) nodes.push_back(base + polygon->Node(i) - 1);
+        TopoDS_Vertex first, last;
+        TopExp::Vertices(edge, first, last);
+        join_vertex(first, nodes.front());
+        join_vertex(last, nodes.back());
+        if (BRep_Tool::Degenerated(edge)) {
+            for (const std::int32_t node : nodes) join(nodes.front(), node);
+            return;
+        }
+        std::vector<std::int32_t>& known = on_edge_[at(edges_.FindIndex(edge) - 1)];
+        if (known.empty()) known = nodes;
+        for (std::size_t i = 0; i < std::min(known.size(), nodes.size()); ++i) join(known[i], nodes[i]);
+    }
+
+    void join_vertex(const TopoDS_Vertex& vertex, std::int32_t node) {
+        std::int32_t& known = at_vertex_[at(vertices_.FindIndex(vertex) - 1)];
+        if (known < 0) known = node;
+        join(known, node);
+    }
+
+    std::int32_t root(std::int32_t i) {
+        while (same_[at(i)] != i) i = same_[at(i)] = same_[at(same_[at(i)])];
+        return i;
+    }
+    void join(std::int32_t a, std::int32_t b) {
+        a = root(a);
+        b = root(b);
+        same_[at(std::max(a, b))] = std::min(a, b);
+    }
+
+    Triangulation finish() {
+        Triangulation result;
+        std::vector<std::int32_t> number(points_.size(), -1);
+        const auto numbered = [&](std::int32_t node) {
+            std::int32_t& n = number[at(root(node))];
+            if (n < 0) {
+                n = static_cast<std::int32_t>(result.points.size());
+                result.points.push_back(points_[at(root(node))]);
+            }
+            return n;
+        };
+        for (const auto& [a, b, c] : triangles_) {
+            if (root(a) == root(b) || root(b) == root(c) || root(c) == root(a)) continue;  // at a pole
+            const std::int32_t first = numbered(a);
+            const std::int32_t second = numbered(b);
+            result.triangles.push_back({first, second, numbered(c)});
+        }
+        return result;
+    }
+
+    TopTools_IndexedMapOfShape faces_, edges_, vertices_;
+    std::vector<Eigen::Vector3d> points_;
+    std::vector<std::int32_t> same_;
+    std::vector<std::array<std::int32_t, 3>> triangles_;
+    std::vector<std::int32_t> at_vertex_;
+    std::vector<std::vector<std::int32_t>> on_edge_;
+};
+
+}  // namespace
+
+Triangulation triangulate(const CadShape& shape, const TriangulateOptions& options) {
+    if (!(options.deflection >= 0.0) || !(options.angle > 0.0 && options.angle <= 90.0)) {
+        throw Error(ErrorCode::invalid_option, "The deflection is 0 or more, the angle between 0 and 90 degrees.");
+    }
+    const double deflection = options.deflection > 0.0 ? options.deflection : kDeflection * shape.diagonal();
+    try {
+        // The mesh is kept in the shape: a copy of its topology leaves the given one, and what meshed it before, alone.
+        const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape.shape(), Standard_False).Shape();
+        const BRepMesh_IncrementalMesh mesh(copy, deflection, Standard_False, options.angle * std::numbers::pi / 180.0,
+                                            Standard_False);
+        Triangulation result = Assembly(copy).run(shape.name());
+        mend_triangles(result.points, result.triangles);
+        return result;
+    } catch (const Standard_Failure& failure) {
+        throw Error(ErrorCode::face_not_meshable, shape.name() + " can't be triangulated: " + failure.GetMessageString());
+    }
+}
+
+}  // namespace anisoquad::cad
