@@ -44,7 +44,7 @@ class Generated : public testing::TestWithParam<int> {
 TEST_P(Generated, SurfacesAreValid) {
     for_cases([](const std::vector<std::uint8_t>& bytes) {
         ByteSource source(bytes);
-        const shapes::Shape shape = make_surface(source);
+        const shapes::Shape shape = make_surface(source, 1.0);
         if (shape.triangles.empty()) return;
         EXPECT_NO_THROW(check_input(shape.points, shape.triangles));
     });
