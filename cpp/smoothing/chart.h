@@ -13,7 +13,7 @@ namespace anisoquad {
 class Chart {
   public:
     Chart(const SurfaceMesh& mesh, Vertex v, const Star& star) : centre_(star.centre()) {
-        fitted_ = star.quality(star.centre()).worst > 0.0 && fit_surface(mesh, v, fit_);
+        fitted_ = !star.is_flat() && star.quality(star.centre()).worst > 0.0 && fit_surface(mesh, v, fit_);
         first_ = star.normal().unitOrthogonal();
         second_ = star.normal().cross(first_);
         if (star.is_on_fold()) {

@@ -11,6 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kTries = 4;
+constexpr double kAtRest = 0.01;  ///< steps below this over the length of an edge change nothing
 /// Nodes are often put on a straight edge, where the worst element is 0: rounding must not choose its sign.
 constexpr double kUpright = 1e-9;
 
@@ -43,12 +44,13 @@ double worst_quality(const SurfaceMesh& mesh, Vertex v, const Vector3d& normal) 
 bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const ReferenceSurface* reference, std::int32_t* hint,
                double good_enough) {
     Star star;
-    if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
+    if (!is_movable(mesh, v)) return false;
+    if ((target - mesh.position(v)).norm() < kAtRest * mesh.length(mesh.halfedge(v)) || !star.gather(mesh, v)) return false;
     if (reference) star.see_along_surface(*reference);
     const Star::Quality before = star.quality(star.centre());
     // The exponential map of a folded ring is no map of the surface.
     SurfaceFit fit;
-    const bool fitted = before.worst > kUpright && !star.is_on_fold() && fit_surface(mesh, v, fit);
+    const bool fitted = before.worst > kUpright && !star.is_on_fold() && !(reference && star.is_flat()) && fit_surface(mesh, v, fit);
     Vector3d step = target - star.centre();
     if (star.is_on_fold()) step = star.along_fold(step);
     std::int32_t facet = hint ? *hint : -1;

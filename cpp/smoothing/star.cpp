@@ -17,6 +17,8 @@ constexpr double kLeastCornerArea = 0.1;
 constexpr double kFlat = 0.7;
 /// The same, below which faces can leave the surface by more than a little.
 constexpr double kStraight = 0.9;
+/// The same, above which the tangent plane is as good as any map of the surface.
+constexpr double kPlane = 0.985;
 /// Smallest mean square of the normals' part along any direction where the surface is a tip rather than a fold.
 constexpr double kTip = 0.15;
 /// Least cosine between a face of a curved star and the surface's normal.
@@ -32,6 +34,7 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     normal_.setZero();
     edge_length_ = 0.0;
     patch_ = -1;
+    has_quads_only_ = true;
     int edges = 0;
     for (HalfEdge h : mesh.outgoing(v)) {
         edge_length_ += mesh.length(h);
@@ -45,6 +48,7 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
         w.opposite = mesh.position(mesh.to(after));
         w.previous = mesh.position(mesh.from(mesh.prev(h)));
         w.quad = mesh.next(after) != mesh.prev(h);
+        has_quads_only_ = has_quads_only_ && w.quad;
         normal_ += area_vector(w);
         patch_ = std::max(patch_, mesh.info(f).patch);
     }
@@ -57,12 +61,14 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     see_along(normal_);
     is_curved_ = false;
     is_bent_ = false;
+    is_flat_ = true;
     upright_ = 0.0;
     is_on_fold_ = false;
     for (int i = 0; i < size_; ++i) {
         const Vector3d area = area_vector(wedges_[static_cast<std::size_t>(i)]);
         is_curved_ = is_curved_ || area.dot(normal_) < kFlat * area.norm();
         is_bent_ = is_bent_ || area.dot(normal_) < kStraight * area.norm();
+        is_flat_ = is_flat_ && area.dot(normal_) >= kPlane * area.norm();
     }
     return true;
 }
@@ -169,7 +175,8 @@ Star::Quality Star::quality(const Point& p) const {
         result.worst = std::min(result.worst, q);
         result.mean += q;
         result.lack += lack * lack;
-        result.stretch += std::log(ratio) * std::log(ratio);
+        const double stretch = 2.0 * (ratio - 1.0) / (ratio + 1.0);
+        result.stretch += stretch * stretch;
         result.ratio = std::max(result.ratio, ratio);
     }
     result.mean /= size_;

@@ -27,12 +27,19 @@ class Star {
     /// Mean length of the node's edges.
     double edge_length() const { return edge_length_; }
     std::int32_t patch() const { return patch_; }
+    bool has_quads_only() const { return has_quads_only_; }
+    /// Nodes of the i-th face, from the centre on: next, opposite (quads only), previous.
+    const Point& next(int i) const { return wedges_[static_cast<std::size_t>(i)].next; }
+    const Point& opposite(int i) const { return wedges_[static_cast<std::size_t>(i)].opposite; }
+    const Point& previous(int i) const { return wedges_[static_cast<std::size_t>(i)].previous; }
 
     /// Side from which the faces are seen: normal() unless set.
     void see_along(const Eigen::Vector3d& normal);
     /// Where the surface turns strongly round the node, one normal can't tell which faces are turned over: every face is then seen
     /// along the reference surface's normal at its middle. Elsewhere nothing changes.
     void see_along_surface(const ReferenceSurface& reference);
+    /// True where the surface hardly turns round the node: its tangent plane will do for a step.
+    bool is_flat() const { return is_flat_; }
     /// True where the surface is folded round the node, and the node can only slide along the fold, if at all: off it the mesh
     /// would draw back from the fold, which no distance of the mesh from the surface tells. Known after see_along_surface().
     bool is_on_fold() const { return is_on_fold_; }
@@ -49,7 +56,7 @@ class Star {
         double worst = 1.0;  ///< of the faces' qualities (measures: see worst_quality())
         double mean = 1.0;
         double lack = 0.0;     ///< mean square of what the faces lack of kPoor
-        double stretch = 0.0;  ///< mean square of ln(longest over shortest edge) of the quads
+        double stretch = 0.0;  ///< mean square of 2 (r − 1) / (r + 1) ≈ ln r of the quads, r = longest over shortest edge
         double ratio = 1.0;    ///< largest of longest over shortest edge of the quads
 
         /// What a place of the node is worth in the final smoothing: mean quality, less what poor elements lack, less a
@@ -88,6 +95,8 @@ class Star {
     bool is_on_fold_ = false;
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
     bool is_curved_ = false;  ///< some face is turned far from the normal
+    bool has_quads_only_ = false;
+    bool is_flat_ = false;    ///< no face is turned from the normal by more than a little
     bool is_bent_ = false;    ///< some face is turned from the normal
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "surface/closest_on_triangle.h"
 
@@ -16,7 +17,8 @@ using Eigen::Vector3d;
 
 constexpr std::int32_t kLeafSize = 4;
 constexpr int kStackSize = 96;  ///< median splits halve: the depth is below 40
-constexpr int kWalkLimit = 64;  ///< facets; only a bound for the search, so stopping early is harmless
+constexpr int kWalkLimit = 64;      ///< facets
+constexpr double kNear = 0.05;      ///< distance over the size of a facet at which a walk's end needs no search
 constexpr double kRounding = 1.0 + 1e-12;
 constexpr double kLiftOfHeight = 0.1;  ///< limits of the lift off a facet
 constexpr double kLiftOfDiagonal = 5e-4;
@@ -46,26 +48,37 @@ ReferenceSurface::ReferenceSurface(std::span<const Point> points, std::span<cons
 }
 
 void ReferenceSurface::find_neighbours() {
+    // Edges in the order of their lower vertex, then of their facets: those of one vertex are few.
     struct Side {
-        std::int32_t low, high, facet, corner;
-        auto operator<=>(const Side&) const = default;
+        std::int32_t high, facet, corner;
     };
-    std::vector<Side> sides;
-    sides.reserve(3 * facets_.size());
+    std::vector<std::int32_t> first(points_.size() + 1, 0);
+    const auto ends = [this](std::int32_t f, std::int32_t k) {
+        return std::minmax(facets_[at(f)][at(k)], facets_[at(f)][at((k + 1) % 3)]);
+    };
+    for (std::int32_t f = 0; f < facet_count(); ++f) {
+        for (std::int32_t k = 0; k < 3; ++k) ++first[at(ends(f, k).first) + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Side> sides(3 * facets_.size());
+    std::vector<std::int32_t> next(first.begin(), first.end() - 1);
     for (std::int32_t f = 0; f < facet_count(); ++f) {
         for (std::int32_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(facets_[at(f)][at(k)], facets_[at(f)][at((k + 1) % 3)]);
-            sides.push_back({low, high, f, k});
+            const auto [low, high] = ends(f, k);
+            sides[at(next[at(low)]++)] = {high, f, k};
         }
     }
-    std::sort(sides.begin(), sides.end());
     neighbour_.assign(facets_.size(), {-1, -1, -1});
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-        const Side& a = sides[i];
-        const Side& b = sides[i + 1];
-        if (a.low != b.low || a.high != b.high) continue;
-        neighbour_[at(a.facet)][at(a.corner)] = b.facet;
-        neighbour_[at(b.facet)][at(b.corner)] = a.facet;
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+        const auto begin = sides.begin() + first[v];
+        const auto end = sides.begin() + first[v + 1];
+        std::sort(begin, end, [](const Side& a, const Side& b) { return std::tie(a.high, a.facet) < std::tie(b.high, b.facet); });
+        for (auto a = begin; a != end; ++a) {
+            const auto b = a + 1;
+            if (b == end || a->high != b->high) continue;
+            neighbour_[at(a->facet)][at(a->corner)] = b->facet;
+            neighbour_[at(b->facet)][at(b->corner)] = a->facet;
+        }
     }
 }
 
@@ -80,12 +93,16 @@ void ReferenceSurface::compute_normals(double crease_angle) {
         const auto& t = facets_[at(facet)];
         return t[0] == v ? 0 : (t[1] == v ? 1 : 2);
     };
-    const auto weighted = [this](std::int32_t facet, int k) -> Vector3d {
-        const auto& t = facets_[at(facet)];
-        const Vector3d a = points_[at(t[at((k + 1) % 3)])] - points_[at(t[at(k)])];
-        const Vector3d b = points_[at(t[at((k + 2) % 3)])] - points_[at(t[at(k)])];
-        return std::atan2(a.cross(b).norm(), a.dot(b)) * facet_normal_[at(facet)];
-    };
+    std::vector<std::array<double, 3>> angle(facets_.size());
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+        const auto& t = facets_[f];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector3d a = points_[at(t[(k + 1) % 3])] - points_[at(t[k])];
+            const Vector3d b = points_[at(t[(k + 2) % 3])] - points_[at(t[k])];
+            angle[f][k] = std::atan2(a.cross(b).norm(), a.dot(b));
+        }
+    }
+    const auto weighted = [&](std::int32_t facet, int k) -> Vector3d { return angle[at(facet)][at(k)] * facet_normal_[at(facet)]; };
     corner_normal_.resize(facets_.size());
     for (std::int32_t f = 0; f < facet_count(); ++f) {
         for (int k = 0; k < 3; ++k) {
@@ -178,23 +195,52 @@ void ReferenceSurface::try_facet(const Point& p, std::int32_t facet, std::int32_
         best = {distance2, facet, position, weights};
 }
 
-/// Downhill over the facets' neighbours: gives the search a bound that is mostly the result already.
-void ReferenceSurface::walk(const Point& p, std::int32_t patch, std::int32_t hint, Candidate& best) const {
+/// Over the edges beyond which p lies, from facet to facet, until p lies over one, or none beyond is closer.
+/// @returns true if the point found is near for the facet's size: then it is the closest one of this sheet of the surface, and
+///          closer ones of another sheet are not wanted
+bool ReferenceSurface::walk(const Point& p, std::int32_t patch, std::int32_t hint, Candidate& best) const {
     try_facet(p, hint, patch, best);
-    std::int32_t facet = hint;
+    if (best.facet != hint) return false;
+    std::int32_t before = -1;
     for (int step = 0; step < kWalkLimit; ++step) {
-        for (std::int32_t other : neighbour_[at(facet)]) {
-            if (other >= 0) try_facet(p, other, patch, best);
+        const std::int32_t facet = best.facet;
+        const Vector3d weights = best.weights;
+        // Across the edges that the point lies on: the one from corner k to k + 1 has no weight at k + 2.
+        for (std::int32_t k = 0; k < 3; ++k) {
+            const std::int32_t other = neighbour_[at(facet)][at(k)];
+            if (weights[(k + 2) % 3] == 0.0 && other >= 0 && other != before) try_facet(p, other, patch, best);
+            if (weights[k] == 1.0 && best.facet == facet) try_round(p, facets_[at(facet)][at(k)], facet, patch, best);
         }
-        if (best.facet < 0 || best.facet == facet) return;
-        facet = best.facet;
+        if (best.facet == facet) return best.distance2 <= kNear * kNear * extent2(facet);
+        before = facet;
     }
+    return false;
+}
+
+/// All facets round a corner, which may be closer though the ones beside the first are not.
+void ReferenceSurface::try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Candidate& best) const {
+    for (const int way : {0, 2}) {
+        std::int32_t facet = first;
+        for (int step = 0; step < kWalkLimit; ++step) {
+            const auto& t = facets_[at(facet)];
+            const int k = t[0] == corner ? 0 : (t[1] == corner ? 1 : 2);
+            facet = neighbour_[at(facet)][at((k + way) % 3)];
+            if (facet == first) return;
+            if (facet < 0) break;
+            try_facet(p, facet, patch, best);
+        }
+    }
+}
+
+double ReferenceSurface::extent2(std::int32_t facet) const {
+    const auto& t = facets_[at(facet)];
+    return (points_[at(t[1])] - points_[at(t[0])]).squaredNorm();
 }
 
 ReferenceSurface::Candidate ReferenceSurface::search(const Point& p, std::int32_t patch, std::int32_t hint) const {
     Candidate best{std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()};
     if (nodes_.empty()) return best;
-    if (hint >= 0 && hint < facet_count()) walk(p, patch, hint, best);
+    if (hint >= 0 && hint < facet_count() && walk(p, patch, hint, best)) return best;
 
     struct Entry {
         std::int32_t node;

@@ -20,8 +20,8 @@ struct SurfacePoint {
 
 /// The input triangulation, kept unchanged: what nodes are brought back to after they were moved.
 ///
-/// Closest points come from a bounding-volume hierarchy in one flat array. Queries are const, may run in parallel, and
-/// depend neither on the order of queries nor on hints; of equally close facets the lowest index wins.
+/// Closest points come from a bounding-volume hierarchy in one flat array; of equally close facets the lowest index wins. Queries
+/// are const and may run in parallel.
 class ReferenceSurface {
   public:
     static constexpr std::int32_t kAnyPatch = -1;
@@ -34,7 +34,9 @@ class ReferenceSurface {
                      std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0);
 
     SurfacePoint closest(const Point& p, std::int32_t patch = kAnyPatch) const;
-    /// The same, faster when `hint` is a facet near p (-1: none): a walk over neighbours bounds the search.
+    /// The same, faster when `hint` is a facet near p (-1: none). A walk from it over neighbours that ends within a twentieth
+    /// of the facets' size of p is the answer: the closest point of the sheet that the hint lies on, where a thin body has another one
+    /// closer by. Else all facets are searched.
     SurfacePoint closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
 
     /// Closest point, lifted off its facet by the quadratic that has the corners' normals, so that a curved surface is not
@@ -68,7 +70,9 @@ class ReferenceSurface {
     void compute_normals(double crease_angle);
     void build_tree();
     void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Candidate& best) const;
-    void walk(const Point& p, std::int32_t patch, std::int32_t hint, Candidate& best) const;
+    bool walk(const Point& p, std::int32_t patch, std::int32_t hint, Candidate& best) const;
+    void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Candidate& best) const;
+    double extent2(std::int32_t facet) const;
     Candidate search(const Point& p, std::int32_t patch, std::int32_t hint) const;
     Eigen::Vector3d interpolated_normal(const Candidate& c) const;
 
