@@ -128,7 +128,7 @@ class Checker {
     double length_of_lines(double change_of_angle) const {
         SurfaceMesh mesh = case_.shape.mesh();
         Options options = case_.options;
-        options.feature_angle += change_of_angle;
+        options.feature_angle = std::min(180.0, options.feature_angle + change_of_angle);
         find_features(mesh, case_.sources, options);
         double sum = 0.0;
         for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {
