@@ -49,7 +49,8 @@ TEST(Region, NoTwoQuadsOnTheSameNodes) {
     SurfaceMesh mesh = shapes::quad_mesh({{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}},
                                          {{2, 1, 3, 0}, {3, 1, 4, 0}, {4, 1, 2, 0}});
     RegionEditor editor(mesh);
-    Region region{{Face(0), Face(1)}, {}, {}};
+    const auto face = [&](int from, int to) { return mesh.face(mesh.find_halfedge(Vertex(from), Vertex(to))); };
+    Region region{{face(2, 1), face(3, 1)}, {}, {}};
     ASSERT_TRUE(editor.find_outline(region));
     Replacement one;
     one.quads = {{Vertex(0), Vertex(2), Vertex(1), Vertex(4)}};
