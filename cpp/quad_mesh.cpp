@@ -117,7 +117,7 @@ class Pipeline {
         snapshot("result", frame);
 
         begin("report", 0.95, 1.0);
-        finish(frame);
+        finish(frame, reference);
         end();
         return std::move(result_);
     }
@@ -227,8 +227,8 @@ class Pipeline {
         result_.stages.push_back(std::move(stage));
     }
 
-    void finish(const Frame& frame) {
-        measure(mesh_, unit_points_, triangles_, report(), sources_);
+    void finish(const Frame& frame, const ReferenceSurface& reference) {
+        measure(mesh_, reference, before_.euler_characteristic, report(), sources_);
         report().hausdorff *= frame.scale;
         for (RowReport& row : report().rows) row.height_mean *= frame.scale;
         MeshArrays arrays = to_arrays(mesh_);

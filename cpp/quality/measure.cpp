@@ -20,7 +20,6 @@ namespace {
 
 using M = SurfaceMesh;
 using Eigen::Vector3d;
-using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -35,19 +34,15 @@ double percentile(const std::vector<double>& sorted, double q) {
 
 class Measurer {
   public:
-    Measurer(const SurfaceMesh& mesh, std::span<const Point> points, Triangles triangles, Report& report)
-        : mesh_(mesh),
-          triangles_(triangles),
-          report_(report),
-          arrays_(to_arrays(mesh)),
-          input_(from_arrays(points, triangles)),
-          reference_(points, triangles) {
+    Measurer(const SurfaceMesh& mesh, const ReferenceSurface& reference, Report& report)
+        : mesh_(mesh), reference_(reference), report_(report), arrays_(to_arrays(mesh)) {
         for (std::size_t i = 0; i < arrays_.faces.size(); ++i) {
             if (arrays_.faces[i][3] >= 0) quads_.push_back(i);
         }
     }
 
-    void run(std::span<const Source> sources) {
+    void run(std::int32_t euler_in, std::span<const Source> sources) {
+        report_.euler_in = euler_in;
         count_elements();
         measure_quality();
         count_inverted();
@@ -63,16 +58,15 @@ class Measurer {
 
     void count_elements() {
         const auto as_count = [](std::size_t n) { return static_cast<std::int32_t>(n); };
-        report_.triangles_in = as_count(triangles_.size());
+        report_.triangles_in = reference_.facet_count();
         report_.quads = as_count(quads_.size());
         report_.nodes = as_count(arrays_.points.size());
         report_.triangles_left = as_count(arrays_.faces.size() - quads_.size());
         report_.reduction_percent =
-            triangles_.empty() ? 0.0 : 100.0 * (1.0 - static_cast<double>(report_.quads) / report_.triangles_in);
+            report_.triangles_in == 0 ? 0.0 : 100.0 * (1.0 - static_cast<double>(report_.quads) / report_.triangles_in);
         const Topology topology_out = topology(mesh_);
         report_.components = topology_out.components;
         report_.euler_out = topology_out.euler_characteristic;
-        report_.euler_in = topology(input_).euler_characteristic;
     }
 
     /// @param measure (mesh, face) → value
@@ -249,27 +243,26 @@ class Measurer {
             halves.push_back({f[0], f[1], f[2]});
             if (f[3] >= 0) halves.push_back({f[0], f[2], f[3]});
         }
-        const double out = distance_to(reference_, mesh_);
-        const double back = distance_to(ReferenceSurface(arrays_.points, halves), input_);
+        const FacetTree result(arrays_.points, halves);
+        const double out = distance_to(reference_.tree(), result);
+        const double back = distance_to(result, reference_.tree());
         report_.hausdorff = std::max(out, back);
         report_.hausdorff_relative = report_.hausdorff / reference_.diagonal();
     }
 
     const SurfaceMesh& mesh_;
-    Triangles triangles_;
+    const ReferenceSurface& reference_;
     Report& report_;
     MeshArrays arrays_;
-    SurfaceMesh input_;
-    ReferenceSurface reference_;
     std::vector<std::size_t> quads_;  ///< places in arrays_.faces
     std::vector<double> values_;
 };
 
 }  // namespace
 
-void measure(const SurfaceMesh& result, std::span<const Point> input_points, Triangles input_triangles, Report& report,
+void measure(const SurfaceMesh& result, const ReferenceSurface& reference, std::int32_t euler_in, Report& report,
              std::span<const Source> sources) {
-    Measurer(result, input_points, input_triangles, report).run(sources);
+    Measurer(result, reference, report).run(euler_in, sources);
 }
 
 }  // namespace anisoquad

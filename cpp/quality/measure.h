@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
 #include "mesh/surface_mesh.h"
 #include "options.h"
 #include "quality/report.h"
+#include "surface/reference_surface.h"
 
 namespace anisoquad {
 
@@ -15,9 +15,10 @@ namespace anisoquad {
 ///
 /// Quads are numbered (Distribution::worst) as to_arrays() writes faces. Triangles that are left are counted, and left out of
 /// the quality measures. Percentiles interpolate linearly between the sorted values.
-/// @param input_triangles the triangulation that was meshed, checked by check_input(), in the frame and units of `result`
+/// @param reference the triangulation that was meshed, in the frame and units of `result`
+/// @param euler_in its Euler characteristic
 /// @param sources tell the left from the right side of the rows
-void measure(const SurfaceMesh& result, std::span<const Point> input_points,
-             std::span<const std::array<std::int32_t, 3>> input_triangles, Report& report, std::span<const Source> sources = {});
+void measure(const SurfaceMesh& result, const ReferenceSurface& reference, std::int32_t euler_in, Report& report,
+             std::span<const Source> sources = {});
 
 }  // namespace anisoquad

@@ -1,59 +1,51 @@
-// The whole way of the data, on the wings of tests/data. Compare two builds with
-// `anisoquad_benchmark --benchmark_format=json`.
+// The whole way of the data and each of its stages, at 10 thousand, 100 thousand and a million triangles. The counters are the stages'
+// seconds; compare two builds with tests/benchmark/compare_builds.py.
 #include "quad_mesh.h"
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
-#include <fstream>
-#include <limits>
-#include <string>
+#include "surfaces.h"
 
 namespace anisoquad {
 namespace {
 
-struct Surface {
-    std::vector<Eigen::Vector3d> points;
-    std::vector<std::array<std::int32_t, 3>> triangles;
-    std::vector<std::int32_t> leading_edge;
-};
-
-Surface read_wing(const std::string& name) {
-    const std::string path = ANISOQUAD_TEST_DATA "/" + name;
-    Surface surface;
-    std::ifstream off(path + ".off");
-    std::string magic;
-    std::size_t points = 0;
-    std::size_t triangles = 0;
-    int count = 0;
-    off >> magic >> points >> triangles >> count;
-    surface.points.resize(points);
-    for (auto& p : surface.points) off >> p.x() >> p.y() >> p.z();
-    surface.triangles.resize(triangles);
-    for (auto& t : surface.triangles) off >> count >> t[0] >> t[1] >> t[2];
-    std::ifstream json(path + ".json");
-    json.ignore(std::numeric_limits<std::streamsize>::max(), '[');
-    char separator = ',';
-    for (std::int32_t id = 0; separator == ',' && json >> id >> separator;) surface.leading_edge.push_back(id);
-    return surface;
+double peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
+
+void mesh(benchmark::State& state, const benchmarks::Surface& surface, std::span<const Source> sources) {
+    const double before = peak_memory();
+    for (auto _ : state) {
+        const QuadMeshResult result = quad_mesh(surface.points, surface.triangles, sources);
+        state.counters["quads"] = result.report.quads;
+        state.counters["sj_min"] = result.report.scaled_jacobian.min;
+        for (const StageTime& stage : result.report.times) state.counters[stage.stage] = stage.seconds;
+    }
+    // Of the process: only the first, or the largest, of a run tells its own.
+    state.counters["grown_by_MB"] = peak_memory() - before;
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(surface.triangles.size()));
+    state.SetComplexityN(static_cast<std::int64_t>(surface.triangles.size()));
+}
+
+void mesh_plane(benchmark::State& state) { mesh(state, benchmarks::plane(static_cast<int>(state.range(0))), {}); }
+void mesh_sphere(benchmark::State& state) { mesh(state, benchmarks::sphere(static_cast<int>(state.range(0))), {}); }
 
 void mesh_wing(benchmark::State& state, const std::string& name) {
-    const Surface surface = read_wing(name);
-    const Source source{surface.leading_edge, passes_for_anisotropy(static_cast<int>(state.range(0))), Sides::both};
-    for (auto _ : state) {
-        try {
-            const QuadMeshResult result = quad_mesh(surface.points, surface.triangles, {&source, 1});
-            state.counters["quads"] = result.report.quads;
-            state.counters["sj_min"] = result.report.scaled_jacobian.min;
-        } catch (const Error& error) {
-            state.SkipWithError(error.what());
-        }
-    }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(surface.triangles.size()));
+    const benchmarks::Surface surface = benchmarks::wing(name, static_cast<int>(state.range(0)));
+    const auto ratio = static_cast<int>(state.range(1));
+    const Source source{surface.leading_edge, passes_for_anisotropy(ratio), Sides::both};
+    mesh(state, surface, ratio > 1 ? std::span(&source, 1) : std::span<const Source>());
 }
 
-BENCHMARK_CAPTURE(mesh_wing, delta, std::string("wing_delta"))->Arg(1)->Arg(4)->Arg(16)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mesh_wing, swept, std::string("wing_swept"))->Arg(1)->Arg(16)->Unit(benchmark::kMillisecond);
+BENCHMARK(mesh_plane)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(mesh_sphere)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK_CAPTURE(mesh_wing, delta, std::string("wing_delta"))
+    ->ArgsProduct({{8000, 100000, 500000}, {1}})->Args({8000, 4})->Args({8000, 16})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mesh_wing, swept, std::string("wing_swept"))
+    ->ArgsProduct({{8000, 100000, 500000}, {1}})->Args({8000, 16})->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace anisoquad

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+
+namespace anisoquad {
+
+/// Triangles in a bounding-volume hierarchy in one flat array, with their neighbours: closest points. Of equally close facets the
+/// lowest index wins. Queries are const and may run in parallel.
+class FacetTree {
+  public:
+    static constexpr std::int32_t kAnyPatch = -1;
+
+    struct Hit {
+        double distance2;
+        std::int32_t facet;       ///< -1: none
+        Point position;
+        Eigen::Vector3d weights;  ///< barycentric
+    };
+
+    FacetTree() = default;
+    /// @param patch of each facet; empty: all are patch 0
+    FacetTree(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets, std::span<const std::int32_t> patch = {});
+
+    /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the answer: a
+    ///        closest point of the sheet that the hint lies on. Else all facets are searched.
+    /// @param is_exact all facets are searched in any case; the walk only bounds the search
+    Hit closest(const Point& p, std::int32_t patch, std::int32_t hint, bool is_exact = false) const;
+
+    std::int32_t count() const { return static_cast<std::int32_t>(facets_.size()); }
+    std::size_t point_count() const { return points_.size(); }
+    const Point& point(std::int32_t v) const { return points_[static_cast<std::size_t>(v)]; }
+    const std::array<std::int32_t, 3>& facet(std::int32_t f) const { return facets_[static_cast<std::size_t>(f)]; }
+    std::int32_t patch(std::int32_t f) const { return patch_[static_cast<std::size_t>(f)]; }
+    /// Facet across the edge from corner k to k + 1, -1: none.
+    std::int32_t neighbour(std::int32_t f, int k) const { return neighbour_[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)]; }
+    /// Diagonal of the bounding box.
+    double diagonal() const { return diagonal_; }
+
+  private:
+    struct Node {
+        Eigen::Vector3d low;
+        Eigen::Vector3d high;
+        std::int32_t first = 0;  ///< leaf: first of its entries in order_; inner node: its right child (the left one follows it)
+        std::int32_t count = 0;  ///< leaf: number of facets, 0 = inner node
+        std::int32_t patch = kAnyPatch;  ///< patch of all facets below, kAnyPatch = several
+    };
+
+    void find_neighbours();
+    void measure_facets();
+    void build_tree();
+    void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const;
+    void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Hit& best) const;
+    bool walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit& best) const;
+
+    std::vector<Point> points_;
+    std::vector<std::array<std::int32_t, 3>> facets_;
+    std::vector<std::int32_t> patch_;
+    std::vector<std::array<std::int32_t, 3>> neighbour_;
+    std::vector<float> near2_;  ///< per facet: squared distance at which a walk that ends there needs no search
+    std::vector<Node> nodes_;
+    std::vector<std::int32_t> order_;  ///< facets in the order of the leaves
+    double diagonal_ = 0.0;
+};
+
+}  // namespace anisoquad
