@@ -17,7 +17,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 ADDONS     ?= $(shell $(FREECADCMD) -c "import FreeCAD; print('addons=' + FreeCAD.getUserAppDataDir() + 'Mod')" </dev/null 2>/dev/null \
                 | sed -n 's/.*addons=//p')
 
-.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format fuzz-build fuzz fuzz-short
+.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format fuzz-build fuzz fuzz-short test-long
 
 # Installs packages that are not there yet: $(call install,packages)
 define install
@@ -55,7 +55,7 @@ demo: deps build
 
 test: deps build
 	ctest --preset release --parallel $(JOBS)
-	$(MAKE) --no-print-directory test-core test-python test-freecad test-gui
+	$(MAKE) --no-print-directory test-core test-python test-freecad test-gui fuzz-short
 
 # The core's tests again, with assertions and validate() after every stage.
 test-core:
@@ -68,18 +68,25 @@ fuzz-build:
 	cmake --preset fuzz $(CMAKE_FLAGS)
 	cmake --build --preset fuzz --parallel $(JOBS)
 
+# Short call stacks of allocations, or recording them takes a tenth of the time.
+RUN_FUZZ = ASAN_OPTIONS=malloc_context_size=4:quarantine_size_mb=16 tests/fuzz/anisoquad_fuzz \
+    -max_len=200 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1
+
 # Hours: crashes are kept in build/fuzz, the corpus that grows too. FUZZ_SECONDS=3600 ends it.
 FUZZ_SECONDS ?= 28800
 fuzz: fuzz-build
 	mkdir -p build/fuzz/corpus
-	cd build/fuzz && tests/fuzz/anisoquad_fuzz -fork=$(JOBS) -ignore_crashes=1 -max_len=200 -timeout=300 -rss_limit_mb=4096 \
+	cd build/fuzz && $(RUN_FUZZ) -fork=$(JOBS) -ignore_crashes=1 \
 	    -max_total_time=$(FUZZ_SECONDS) corpus $(CURDIR)/tests/data/fuzz
 
-# Two minutes from the corpus in tests/data/fuzz, of which every surface that once failed is part.
+# A minute from the corpus in tests/data/fuzz, of which every surface that once failed is part.
 fuzz-short: fuzz-build
 	mkdir -p build/fuzz/short
-	cd build/fuzz && tests/fuzz/anisoquad_fuzz -max_len=200 -timeout=300 -rss_limit_mb=4096 -max_total_time=120 -print_final_stats=1 \
-	    short $(CURDIR)/tests/data/fuzz
+	cd build/fuzz && $(RUN_FUZZ) -max_total_time=60 short $(CURDIR)/tests/data/fuzz
+
+# The property tests over thousands of generated surfaces.
+test-long: build
+	ANISOQUAD_CASES=400 ctest --preset release --parallel $(JOBS) -L property
 
 test-python:
 	PYTHONPATH=Mod PYTHONDONTWRITEBYTECODE=1 $(PYTHON) -m unittest discover -s tests/python -p 'test_*.py'

@@ -66,6 +66,15 @@ bool loosen(SurfaceMesh& mesh, Vertex node, Vertex neighbour) {
     return !tight.empty();
 }
 
+/// A node between two edges that every face at it can do without; at the tip of a triangle it can not.
+bool is_dissolvable(const SurfaceMesh& mesh, Vertex node) {
+    if (mesh.valence(node) != 2) return false;
+    for (const HalfEdge h : mesh.outgoing(node)) {
+        if (!mesh.is_boundary(h) && mesh.is_triangle(mesh.face(h))) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 int merge_source_nodes(SurfaceMesh& mesh, const std::vector<Vertex>& nodes, const std::vector<char>& kept) {
@@ -79,7 +88,7 @@ int merge_source_nodes(SurfaceMesh& mesh, const std::vector<Vertex>& nodes, cons
         const std::size_t middle = (first + last + 1) / 2;
         for (std::size_t i = first + 1; i < last; ++i) {
             const std::size_t k = i < middle ? i : last + middle - 1 - i;
-            if (mesh.valence(nodes[k]) == 2) {
+            if (is_dissolvable(mesh, nodes[k])) {
                 dissolve_vertex(mesh, M::twin(mesh.halfedge(nodes[k])));
                 continue;
             }

@@ -162,7 +162,15 @@ class MultiPass {
         line = std::move(thinned);
     }
 
-    /// Ends of stacks inside the source (where another line meets it) end segments too, each part with ramps of its own.
+    /// A node that another line meets: it would be drawn along the source, were it merged.
+    bool is_junction(Vertex v) const {
+        int lines = 0;
+        for (const HalfEdge h : mesh_.outgoing(v)) lines += mesh_.is_constrained(M::edge(h)) ? 1 : 0;
+        return lines > 2;
+    }
+
+    /// Ends of stacks inside the source (where another line meets it) end segments too, each part with ramps of its own; so do
+    /// such nodes on a side without rows.
     std::vector<char> segment_ends(std::size_t s, int ratio) const {
         const Line& line = lines_[s];
         const std::size_t n = line.nodes.size();
@@ -170,6 +178,10 @@ class MultiPass {
         kept.front() = kept.back() = 1;
         bool cut = false;
         for (std::size_t i = 0; i < n; ++i) {
+            if (is_junction(line.nodes[i])) {
+                kept[i] = 1;
+                cut = true;
+            }
             for (const RowStack& stack : stacks_) {
                 if (stack.source != static_cast<std::int32_t>(s) || stack.closed) continue;
                 if (stack.layers[0].front() == line.nodes[i] || stack.layers[0].back() == line.nodes[i]) {

@@ -112,7 +112,27 @@ bool RegionEditor::is_possible(const Region& region, const Replacement& replacem
             if (!f.is_valid() || !face_marks_.has(f)) return false;
         }
     }
-    return covered == outline.size();
+    return covered == outline.size() && !lies_on_another_face(replacement);
+}
+
+/// Two quads on the same nodes, which small closed surfaces come to. @pre the region's faces are marked
+bool RegionEditor::lies_on_another_face(const Replacement& replacement) const {
+    const auto& quads = replacement.quads;
+    for (std::size_t i = 0; i < quads.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (std::is_permutation(quads[i].begin(), quads[i].end(), quads[k].begin())) return true;
+        }
+        if (std::any_of(quads[i].begin(), quads[i].end(), Replacement::is_new)) continue;
+        for (const HalfEdge out : mesh_.outgoing(quads[i][0])) {
+            const Face f = mesh_.face(out);
+            if (!f.is_valid() || face_marks_.has(f)) continue;
+            std::size_t same = 0;
+            for (const HalfEdge h : mesh_.halfedges(f))
+                same += std::find(quads[i].begin(), quads[i].end(), mesh_.from(h)) != quads[i].end() ? 1 : 0;
+            if (same == 4) return true;
+        }
+    }
+    return false;
 }
 
 void RegionEditor::replace(Region& region, const Replacement& replacement) {

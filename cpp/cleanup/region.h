@@ -71,7 +71,7 @@ class RegionEditor {
     Replacement current(const Region& region) const;
 
     /// True if the replacement makes a proper mesh: every edge of the outline once, every edge inside once in each direction,
-    /// and no edge that exists outside of the region.
+    /// no edge that exists outside of the region, and no two quads on the same nodes.
     bool is_possible(const Region& region, const Replacement& replacement);
 
     /// Does it; `region` becomes the new quads and nodes, in the order of the replacement. When a replacement is undone by
@@ -85,6 +85,8 @@ class RegionEditor {
         HalfEdge halfedge;
     };
     Vertex handle(Vertex v) const { return Replacement::is_new(v) ? new_nodes_[Replacement::index(v)] : v; }
+
+    bool lies_on_another_face(const Replacement& replacement) const;
 
     SurfaceMesh& mesh_;
     Marks face_marks_;

@@ -39,6 +39,19 @@ bool makes_poor_quad(const SurfaceMesh& mesh, HalfEdge diagonal) {
     return scaled_jacobian(p(diagonal), p(mesh.prev(other)), p(other), p(mesh.prev(diagonal))) < kPoor;
 }
 
+/// One of the four triangles that are a closed surface of their own: pairs of them would lie on each other.
+bool is_of_tetrahedron(const SurfaceMesh& mesh, Face f) {
+    Vertex apex;
+    for (const HalfEdge h : mesh.halfedges(f)) {
+        const HalfEdge beyond = M::twin(h);
+        if (!is_triangle(mesh, beyond) || mesh.valence(mesh.from(h)) != 3) return false;
+        const Vertex opposite = mesh.to(mesh.next(beyond));
+        if (apex.is_valid() && opposite != apex) return false;
+        apex = opposite;
+    }
+    return mesh.valence(apex) == 3;
+}
+
 /// Three quads round the middle of a triangle whose three edges were halved.
 void fill_halved(SurfaceMesh& mesh, const std::array<Vertex, 3>& corners) {
     std::array<HalfEdge, 6> loop;
@@ -72,7 +85,8 @@ std::int32_t refine_small_patches(SurfaceMesh& mesh) {
         if (mesh.is_deleted(Face(i)) || !mesh.is_triangle(Face(i))) continue;
         const HalfEdge h = mesh.halfedge(Face(i));
         const std::array<HalfEdge, 3> sides{h, mesh.next(h), mesh.prev(h)};
-        if (!std::all_of(sides.begin(), sides.end(), [&](HalfEdge side) { return is_open_side(mesh, side); })) {
+        if (!is_of_tetrahedron(mesh, Face(i)) &&
+            !std::all_of(sides.begin(), sides.end(), [&](HalfEdge side) { return is_open_side(mesh, side); })) {
             const HalfEdge diagonal = diagonal_of_pair(mesh, Face(i));
             if (!diagonal.is_valid() || !makes_poor_quad(mesh, diagonal)) continue;
         }

@@ -9,6 +9,19 @@ constexpr int kMostHalvings = 40;  // of one edge, one in the other
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+/// A path along both sides of a slit would go to its end and back by the same edges once the slit is welded.
+std::vector<std::int32_t> without_spikes(std::span<const std::int32_t> path) {
+    std::vector<std::int32_t> result;
+    for (const std::int32_t v : path) {
+        if (result.size() > 1 && result[result.size() - 2] == v) {
+            result.pop_back();
+        } else {
+            result.push_back(v);
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 RepairedPaths::RepairedPaths(const TriangleSoup& repaired) : soup_(repaired), copies_(repaired.points.size()) {
@@ -56,7 +69,7 @@ std::vector<std::int32_t> RepairedPaths::expanded(std::span<const std::int32_t> 
             expand(path.back(), next, kMostHalvings, path);
         }
     }
-    return path;
+    return without_spikes(path);
 }
 
 /// Copies of the path's vertices that edges join, from the given copy of the first one; empty if there are none.

@@ -70,7 +70,9 @@ std::pair<std::int32_t, double> first_facet(const PickSurface& surface, const Ra
 
 EdgeHit edge_on_ray(const PickSurface& surface, const Point& origin, const Vector3d& direction, double reach) {
     const Ray ray{origin, direction.normalized()};
-    const auto [facet, facet_way] = first_facet(surface, ray);
+    const std::pair<std::int32_t, double> first = first_facet(surface, ray);
+    const std::int32_t facet = first.first;
+    const double facet_way = first.second;  // clang before 16 captures no structured bindings
     EdgeHit hit;
     hit.facet = facet;
     double nearest = reach;

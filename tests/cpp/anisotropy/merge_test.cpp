@@ -101,6 +101,13 @@ TEST(Merge, SourceNodesThatTheTrianglesHoldTightAreFreed) {
     }
 }
 
+TEST(Merge, ANodeAtTheTipOfATriangleGoesWithTheTriangle) {
+    SurfaceMesh mesh = shapes::grid(1, 1).mesh();  // node 1 is in one triangle only
+    EXPECT_EQ(merge_source_nodes(mesh, {Vertex(0), Vertex(1), Vertex(3)}, {1, 0, 1}), 0);
+    EXPECT_EQ(mesh.face_count(), 1);
+    EXPECT_TRUE(validate(mesh).empty());
+}
+
 TEST(Merge, AStackWithoutRowsOnlyLosesSourceNodes) {
     GridRows p(8, 6, 3, 0);
     const std::vector<Vertex> source_nodes = p.stack.layers[0];

@@ -289,6 +289,22 @@ TEST(MultiPass, TheSameInputGivesTheSameMesh) {
     EXPECT_EQ(to_arrays(a.mesh).points, to_arrays(b.mesh).points);
 }
 
+TEST(MultiPass, ALineThatMeetsTheSourceOnASideWithoutRowsStaysStraight) {
+    const shapes::Shape shape = shapes::grid(16, 8);
+    Source line = source(path(4 * 17, 4 * 17 + 16, 1), {{4, 1}});
+    line.sides = Sides::left;
+    for (std::int32_t column = 3; column < 14; ++column) {
+        Options options;
+        for (std::int32_t j = 0; j < 4; ++j) options.feature_edges.push_back({17 * j + column, 17 * (j + 1) + column});
+        Built b(shape, {line}, options);
+        double length = 0.0;
+        for (std::int32_t i = 0; i < b.mesh.edge_slots(); ++i) {
+            if (!b.mesh.is_deleted(Edge(i)) && b.mesh.info(Edge(i)).line >= 0) length += b.mesh.length(Edge(i));
+        }
+        EXPECT_NEAR(length, 2 * (16 + 8) + 16 + 4, 1e-9) << column;
+    }
+}
+
 TEST(MultiPass, CanBeCancelled) {
     Prepared p(shapes::grid(20, 20), {source(path(210, 230, 1))});
     const LocalSize size(p.shape.points, p.shape.triangles, p.reference);

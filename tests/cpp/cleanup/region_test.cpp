@@ -44,6 +44,20 @@ TEST(Region, WhatIsNoDiskOrHoldsFixedThingsHasNoOutline) {
     EXPECT_FALSE(editor.find_outline(region));
 }
 
+TEST(Region, NoTwoQuadsOnTheSameNodes) {
+    // Three quads between two poles are a closed surface: one quad in place of two would lie on the third.
+    SurfaceMesh mesh = shapes::quad_mesh({{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}},
+                                         {{2, 1, 3, 0}, {3, 1, 4, 0}, {4, 1, 2, 0}});
+    RegionEditor editor(mesh);
+    const auto face = [&](int from, int to) { return mesh.face(mesh.find_halfedge(Vertex(from), Vertex(to))); };
+    Region region{{face(2, 1), face(3, 1)}, {}, {}};
+    ASSERT_TRUE(editor.find_outline(region));
+    Replacement one;
+    one.quads = {{Vertex(0), Vertex(2), Vertex(1), Vertex(4)}};
+    EXPECT_FALSE(editor.is_possible(region, one));
+    EXPECT_TRUE(editor.is_possible(region, editor.current(region)));
+}
+
 TEST(Region, RotatedEdgeAndBack) {
     SurfaceMesh mesh = shapes::quad_grid(4, 4);
     const Topology before = topology(mesh);

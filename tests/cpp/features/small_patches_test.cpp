@@ -59,6 +59,19 @@ TEST(SmallPatches, TwoTrianglesThatMakeNoConvexQuadBecomeSix) {
     EXPECT_EQ(quad_mesh(square.points, square.triangles).quads.size(), 1u);
 }
 
+TEST(SmallPatches, ATetrahedronWithoutFeatureLinesBecomesTwelveQuads) {
+    Shape shape;
+    shape.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0.0}, {0.5, 0.3, 0.9}};
+    shape.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    Options options;
+    options.feature_angle = 180.0;
+    options.prepare = false;
+    options.validate = true;
+    const QuadMeshResult result = quad_mesh(shape.points, shape.triangles, {}, options);
+    EXPECT_EQ(result.report.triangles_left, 0);
+    EXPECT_EQ(result.quads.size(), 12u);
+}
+
 TEST(SmallPatches, LargerPatchesStay) {
     for (const Shape& shape : {shapes::grid(3, 3), shapes::cube(2), shapes::torus(9, 5)}) {
         SurfaceMesh mesh = shape.mesh();

@@ -15,6 +15,11 @@ namespace {
 using shapes::Shape;
 using M = SurfaceMesh;
 
+/// A count from low to high, or to the share of the way that the extent says.
+int count(ByteSource& source, int low, int high, double extent) {
+    return source.between(low, low + static_cast<int>(extent * (high - low) + 0.5));
+}
+
 Shape to_shape(const SurfaceMesh& mesh) {
     Shape shape;
     const MeshArrays arrays = to_arrays(mesh);
@@ -23,9 +28,9 @@ Shape to_shape(const SurfaceMesh& mesh) {
     return shape;
 }
 
-Shape make_grid(ByteSource& source) {
-    const int nx = source.between(1, 12);
-    const int ny = source.between(1, 10);
+Shape make_grid(ByteSource& source, double extent) {
+    const int nx = count(source, 1, 12, extent);
+    const int ny = count(source, 1, 10, extent);
     const int holes = source.below(4) * source.below(3);
     std::vector<char> gone(static_cast<std::size_t>(nx * ny), 0);
     for (int i = 0; i < holes; ++i) gone[static_cast<std::size_t>(source.below(nx * ny))] = 1;
@@ -34,9 +39,9 @@ Shape make_grid(ByteSource& source) {
 }
 
 /// A band around z whose radius changes linearly, down to a tip.
-Shape make_cone(ByteSource& source) {
-    const int n = source.between(3, 24);
-    const int m = source.between(1, 6);
+Shape make_cone(ByteSource& source, double extent) {
+    const int n = count(source, 3, 24, extent);
+    const int m = count(source, 1, 6, extent);
     const double top = source.one_in(2) ? source.fraction() : 1.0;
     const double height = 0.05 + 6.0 * source.fraction();
     Shape shape = shapes::cylinder(n, m, 1.0, height);
@@ -48,15 +53,15 @@ Shape make_cone(ByteSource& source) {
     return shape;
 }
 
-Shape make_round(ByteSource& source) {
-    const int n = source.between(3, 18);
-    const int m = source.between(3, 9);
+Shape make_round(ByteSource& source, double extent) {
+    const int n = count(source, 3, 18, extent);
+    const int m = count(source, 3, 9, extent);
     if (source.one_in(2)) return shapes::torus(n, m, 1.0, 0.1 + 0.6 * source.fraction());
     return shapes::sphere(n, m);
 }
 
-Shape make_box(ByteSource& source) {
-    const int n = source.between(1, 4);
+Shape make_box(ByteSource& source, double extent) {
+    const int n = count(source, 1, 4, extent);
     return shapes::placed(shapes::cube(n), 2.0 / n, Point(-1, -1, -1));
 }
 
@@ -105,8 +110,8 @@ Shape make_cubes(ByteSource& source) {
 }
 
 /// n triangles round a node, open or closed, flat or pointed.
-Shape make_fan(ByteSource& source) {
-    const int n = source.between(1, 70);
+Shape make_fan(ByteSource& source, double extent) {
+    const int n = count(source, 1, 70, extent);
     const double height = source.one_in(2) ? 4.0 * source.fraction() : 0.0;
     const bool closed = n >= 3 && source.one_in(2);
     const double turn = closed ? 2.0 * std::numbers::pi : std::min(6.0, n * (0.02 + 1.2 * source.fraction()));
@@ -121,8 +126,8 @@ Shape make_fan(ByteSource& source) {
 }
 
 /// One triangle beside the other in a zigzag.
-Shape make_strip(ByteSource& source) {
-    const int n = source.between(1, 20);
+Shape make_strip(ByteSource& source, double extent) {
+    const int n = count(source, 1, 20, extent);
     const double width = 0.01 + source.fraction();
     Shape shape;
     for (int i = 0; i < n + 2; ++i) shape.points.emplace_back(0.2 * i, i % 2 ? width : 0.0, 0.0);
@@ -148,9 +153,9 @@ bool is_convex(const SurfaceMesh& mesh, Edge e) {
 }
 
 /// A triangulation grown by splits and flips.
-Shape make_random_triangulation(ByteSource& source) {
+Shape make_random_triangulation(ByteSource& source, double extent) {
     SurfaceMesh mesh = shapes::placed(shapes::grid(1, source.between(1, 3)), 1.0, Point(-0.5, -0.5, 0.0)).mesh();
-    const int steps = source.between(1, 90);
+    const int steps = count(source, 1, 90, extent * extent);
     for (int i = 0; i < steps; ++i) {
         const int what = source.below(4);
         if (what == 0) {
@@ -195,10 +200,10 @@ Shape read_off(const std::string& path) {
 }
 
 /// The facets around one of the wing.
-Shape make_piece(ByteSource& source) {
+Shape make_piece(ByteSource& source, double extent) {
     static const SurfaceMesh wing = read_off(std::string(ANISOQUAD_TEST_DATA) + "/wing_delta.off").mesh();
     const Face seed(source.below(std::min(wing.face_slots(), 65536)));
-    const std::size_t size = 1 + static_cast<std::size_t>(source.below(200));
+    const std::size_t size = static_cast<std::size_t>(count(source, 1, 200, extent * extent));
     std::vector<Face> faces{seed};
     for (std::size_t i = 0; i < faces.size() && faces.size() < size; ++i) {
         for (const HalfEdge h : wing.halfedges(faces[i])) {
@@ -223,18 +228,18 @@ Shape make_piece(ByteSource& source) {
 
 }  // namespace
 
-Shape make_kind(ByteSource& source) {
+Shape make_kind(ByteSource& source, double extent) {
     switch (source.below(10)) {
-        case 0: return make_grid(source);
-        case 1: return make_cone(source);
-        case 2: return make_round(source);
-        case 3: return make_box(source);
+        case 0: return make_grid(source, extent);
+        case 1: return make_cone(source, extent);
+        case 2: return make_round(source, extent);
+        case 3: return make_box(source, extent);
         case 4: return make_cubes(source);
-        case 5: return make_fan(source);
-        case 6: return make_strip(source);
-        case 7: return make_piece(source);
-        case 8: return make_grid(source);
-        default: return make_random_triangulation(source);
+        case 5: return make_fan(source, extent);
+        case 6: return make_strip(source, extent);
+        case 7: return make_piece(source, extent);
+        case 8: return make_grid(source, extent);
+        default: return make_random_triangulation(source, extent);
     }
 }
 

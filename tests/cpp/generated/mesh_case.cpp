@@ -69,22 +69,30 @@ void add_feature_edges(MeshCase& result, const SurfaceMesh& mesh, ByteSource& so
     }
 }
 
-/// Squares as small as the lowest triangle is high that would cover the surface: what remeshing comes to at worst.
-double most_squares(const shapes::Shape& shape) {
-    double area = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& t : shape.triangles) {
-        const auto p = [&](std::size_t k) -> const Point& { return shape.points[static_cast<std::size_t>(t[k])]; };
-        const double doubled = (p(1) - p(0)).cross(p(2) - p(0)).norm();
-        least = std::min(least, doubled / std::max({(p(1) - p(0)).norm(), (p(2) - p(1)).norm(), (p(0) - p(2)).norm()}));
-        area += 0.5 * doubled;
+double diagonal(const shapes::Shape& shape) {
+    Eigen::AlignedBox3d box;
+    for (const Point& p : shape.points) box.extend(p);
+    return shape.points.empty() ? 0.0 : box.diagonal().norm();
+}
+
+/// Asks for quads of a size, or for one size per vertex, that come to some hundred quads at most.
+void ask_for_size(MeshCase& result, ByteSource& source) {
+    Options& options = result.options;
+    const double largest = diagonal(result.shape) / source.between(1, 4);
+    if (source.one_in(4)) {
+        const std::array<double, 2> share{0.3 + 0.7 * source.fraction(), 0.3 + 0.7 * source.fraction()};
+        const std::size_t n = result.shape.points.size();
+        for (std::size_t i = 0; i < n; ++i) options.vertex_size.push_back(largest * share[2 * i / n]);
+    } else {
+        options.size = largest;
     }
-    return area / (least * least);
+    if (source.one_in(4)) options.growth = 1.01 + 2.0 * source.fraction();
+    if (source.one_in(4)) options.curvature_angle = 180.0 * source.fraction();
 }
 
 bool passes_checks(const MeshCase& c) {
     try {
-        check_options(c.options);
+        check_options(c.options, c.shape.points.size());
         check_input(c.shape.points, c.shape.triangles);
         const SurfaceMesh mesh = c.shape.mesh();
         check_sources(mesh, c.sources);
@@ -101,18 +109,23 @@ MeshCase make_case(ByteSource& source, bool may_be_bad) {
     MeshCase result;
     Options& options = result.options;
     options.validate = true;
-    // Options first: what follows them may be of any length.
+    // What takes long is rare where executions are to be many. Options come first: what follows them may be of any length.
+    const int rarely = may_be_bad ? 64 : 6;
+    const double extent = source.one_in(rarely) ? 1.0 : 0.1 + 0.4 * source.fraction();
+    const bool own_size = source.one_in(rarely);
+    const bool size_asked = !own_size && source.one_in(3);
     options.prepare = source.one_in(3);
-    options.cleanup = !source.one_in(4);
+    options.cleanup = source.one_in(4) == may_be_bad;  // most of the time goes there
     if (source.one_in(4)) options.feature_angle = 1.0 + 179.0 * source.fraction();
     if (source.one_in(4)) options.row_growth = 1.0 + source.fraction();
     if (source.one_in(4)) options.smoothing_passes = source.below(8);
     options.repair = may_be_bad && source.one_in(2);
     const bool spoilt = may_be_bad && source.one_in(2);
 
-    result.shape = make_surface(source);
-    // A long thin strip is remeshed to squares of its width: right, but no test of some hundred triangles any more.
-    if (options.prepare && most_squares(result.shape) > 300.0) options.prepare = false;
+    result.shape = make_surface(source, extent);
+    // A size of its own choice makes a thousand quads of anything.
+    if (!own_size) options.prepare = false;
+    if (size_asked) ask_for_size(result, source);
     if (!result.shape.triangles.empty()) {
         const SurfaceMesh mesh = result.shape.mesh();
         add_sources(result, mesh, source);
@@ -136,8 +149,11 @@ std::string to_text(const MeshCase& c) {
     for (const auto& t : c.shape.triangles) out << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
     out << "# prepare " << c.options.prepare << " cleanup " << c.options.cleanup << " feature_angle " << c.options.feature_angle
         << " row_growth " << c.options.row_growth << " smoothing_passes " << c.options.smoothing_passes << " repair "
-        << c.options.repair << "\n# feature_edges";
+        << c.options.repair << " size " << c.options.size << " growth " << c.options.growth << " curvature_angle "
+        << c.options.curvature_angle << "\n# feature_edges";
     for (const auto& e : c.options.feature_edges) out << " " << e[0] << "-" << e[1];
+    if (!c.options.vertex_size.empty()) out << "\n# vertex_size";
+    for (const double size : c.options.vertex_size) out << " " << size;
     for (const Source& s : c.sources) {
         out << "\n# source sides " << static_cast<int>(s.sides) << " passes";
         for (const Pass& p : s.passes) out << " " << p.ratio << ":" << p.rows;

@@ -18,7 +18,8 @@ struct MeshCase {
     bool is_valid = false;  ///< passes all the checks at the door
 };
 
-/// A surface with sources and options. @param may_be_bad the surface, the sources or the options may be what is to be rejected
+/// A surface with sources and options, mostly of some dozen triangles.
+/// @param may_be_bad the surface, the sources or the options may be what is to be rejected; larger surfaces are rarer then
 MeshCase make_case(ByteSource& source, bool may_be_bad);
 
 /// The surface as an OFF file, and sources and options behind it: to look at a case by other means.

@@ -31,10 +31,12 @@ Outcome run_case(const MeshCase& mesh_case) {
         const auto found = defects(mesh_case.options.repair ? mended(mesh_case) : mesh_case, result);
         if (!found.empty()) outcome.failure = found.front();
     } catch (const Error& error) {
-        const bool about_surface = error.code() != ErrorCode::invalid_source && error.code() != ErrorCode::invalid_feature_edge &&
-                                   error.code() != ErrorCode::invalid_option && error.code() != ErrorCode::empty_mesh;
-        // A repaired surface is valid, and so is what passed the checks; lines may be lost where a surface is mended.
-        if (mesh_case.is_valid || (mesh_case.options.repair && about_surface))
+        const bool about_lines = error.code() == ErrorCode::invalid_source || error.code() == ErrorCode::invalid_feature_edge;
+        const bool about_surface =
+            !about_lines && error.code() != ErrorCode::invalid_option && error.code() != ErrorCode::empty_mesh;
+        // A repaired surface is valid, and so is what passed the checks; lines may be lost where a surface is mended, as those
+        // on both sides of a slit that is welded.
+        if (mesh_case.options.repair ? about_surface || (mesh_case.is_valid && !about_lines) : mesh_case.is_valid)
             outcome.failure = std::string("rejected: ") + error.what();
     } catch (const std::exception& error) {
         outcome.failure = error.what();

@@ -118,11 +118,11 @@ Shape made_valid(const Shape& shape) {
 
 }  // namespace
 
-Shape make_surface(ByteSource& source) {
-    Shape shape = make_kind(source);
+Shape make_surface(ByteSource& source, double extent) {
+    Shape shape = make_kind(source, extent);
     modify(shape, source);
     while (source.one_in(8) && shape.triangles.size() < 200) {
-        Shape other = make_kind(source);
+        Shape other = make_kind(source, extent);
         modify(other, source);
         shape = shapes::joined(std::move(shape), shapes::placed(std::move(other), 0.05 + source.fraction(), {5, 0, 0}));
     }

@@ -254,6 +254,20 @@ TEST(Repair, SourcesSurviveWelding) {
     EXPECT_NO_THROW(check_sources(shape_of(r).mesh(), r.sources));
 }
 
+TEST(Repair, SourcesDoNotGoToTheEndOfAWeldedSlitAndBack) {
+    Shape shape = shapes::grid(2, 2);
+    shape.points.push_back(shape.points[1]);  // the edge 1-4 is a slit
+    for (auto& t : shape.triangles) {
+        if (std::find(t.begin(), t.end(), 2) != t.end()) std::replace(t.begin(), t.end(), 1, 9);
+    }
+    Source source;
+    source.vertices = {0, 1, 4, 9, 2};
+    ASSERT_NO_THROW(check_sources(shape.mesh(), std::vector<Source>{source}));
+    const RepairResult r = repaired(shape, {source});
+    EXPECT_EQ(r.sources[0].vertices, (Ids{0, 1, 2}));
+    EXPECT_NO_THROW(check_sources(shape_of(r).mesh(), r.sources));
+}
+
 TEST(Repair, SourcesTakeTheSideOfACutThatTheyLieOn) {
     const Shape band = shapes::moebius(20, 4);  // cut at column 0
     Ids towards_cut;
