@@ -17,7 +17,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 ADDONS     ?= $(shell $(FREECADCMD) -c "import FreeCAD; print('addons=' + FreeCAD.getUserAppDataDir() + 'Mod')" </dev/null 2>/dev/null \
                 | sed -n 's/.*addons=//p')
 
-.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench format fuzz-build fuzz fuzz-short test-long
+.PHONY: deps build translations install-addon docs demo test test-core test-python test-freecad test-gui bench bench-gmsh format fuzz-build fuzz fuzz-short test-long
 
 # Installs packages that are not there yet: $(call install,packages)
 define install
@@ -105,6 +105,12 @@ bench: deps build
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/paper_table1.py
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/surfaces.py
 	$(FREECADCMD) tests/benchmark/cad.py </dev/null
+
+# Against Gmsh on the same triangles, at SIZES of them: Gmsh may take long.
+SIZES ?= 10000 100000
+bench-gmsh: deps build
+	$(call install,gmsh)
+	PYTHONPATH=Mod $(PYTHON) tests/benchmark/against_gmsh.py --sizes $(SIZES)
 
 format:
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i

@@ -67,6 +67,21 @@ TEST(FindRidges, OnlyTheGivenPatchesAreLookedAt) {
     EXPECT_TRUE(find_ridges(mesh, patches, {.width = 0.05}).edges.empty());
 }
 
+TEST(FindRidges, ASourceStandsForTheFoldThatItLiesOn) {
+    SurfaceMesh mesh = fold(0.01, 8, 20);
+    const std::vector<char> patches(1, 1);
+    Source source;
+    source.vertices.push_back(find_ridges(mesh, patches, {.width = 0.05}).edges.front()[0]);
+    for (const int step : {25, -25}) {  // the profile has 25 points: the neighbours along the fold
+        for (std::int32_t v = source.vertices.front() + step; v >= 0 && v < mesh.vertex_slots(); v += step) {
+            source.vertices.insert(step > 0 ? source.vertices.end() : source.vertices.begin(), v);
+        }
+    }
+    find_features(mesh, {&source, 1}, {});
+    find_patches(mesh);
+    EXPECT_TRUE(find_ridges(mesh, std::vector<char>(2, 1), {.width = 0.05}).edges.empty());
+}
+
 TEST(FindRidges, RidgesBecomeLinesOfTheirOwn) {
     SurfaceMesh mesh = fold(0.01, 8, 20);
     const std::vector<char> patches(1, 1);

@@ -1,0 +1,51 @@
+#include "surface/facet_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "shapes.h"
+
+namespace anisoquad {
+namespace {
+
+TEST(FacetTree, NeighboursShareTheirEdge) {
+    const shapes::Shape shape = shapes::torus(12, 8);
+    const FacetTree tree(shape.points, shape.triangles);
+    for (std::int32_t f = 0; f < tree.count(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t g = tree.neighbour(f, k);
+            ASSERT_GE(g, 0);  // a closed surface
+            const auto& t = tree.facet(g);
+            for (const int corner : {k, (k + 1) % 3}) {
+                const std::int32_t v = tree.facet(f)[static_cast<std::size_t>(corner)];
+                EXPECT_TRUE(t[0] == v || t[1] == v || t[2] == v);
+            }
+        }
+    }
+    const shapes::Shape open = shapes::grid(1, 1);
+    const FacetTree two(open.points, open.triangles);
+    int borders = 0;
+    for (std::int32_t f = 0; f < 2; ++f) {
+        for (int k = 0; k < 3; ++k) borders += two.neighbour(f, k) < 0;
+    }
+    EXPECT_EQ(borders, 4);
+}
+
+TEST(FacetTree, AWalkFromAnyHintEndsAtTheClosestFacetOrIsFollowedByASearch) {
+    const shapes::Shape shape = shapes::torus(40, 20);
+    const FacetTree tree(shape.points, shape.triangles);
+    std::mt19937 random(3);
+    for (int i = 0; i < 300; ++i) {
+        const auto& t = tree.facet(static_cast<std::int32_t>(random() % static_cast<unsigned>(tree.count())));
+        const double w = static_cast<double>(random() % 1000) / 1000.0;
+        const Point p = w * tree.point(t[0]) + 0.5 * (1.0 - w) * (tree.point(t[1]) + tree.point(t[2])) + Point(0.0, 0.0, 1e-5);
+        const auto hint = static_cast<std::int32_t>(random() % static_cast<unsigned>(tree.count()));
+        const FacetTree::Hit exact = tree.closest(p, FacetTree::kAnyPatch, -1);
+        EXPECT_EQ(tree.closest(p, FacetTree::kAnyPatch, hint, true).facet, exact.facet);
+        EXPECT_NEAR(std::sqrt(tree.closest(p, FacetTree::kAnyPatch, hint).distance2), std::sqrt(exact.distance2), 1e-4 * tree.diagonal());
+    }
+}
+
+}  // namespace
+}  // namespace anisoquad
