@@ -16,6 +16,7 @@
 #include "input/check.h"
 #include "input/repair.h"
 #include "mesh/arrays.h"
+#include "mesh/face_middle.h"
 #include "mesh/validate.h"
 #include "prepare/prepare.h"
 #include "prepare/size_range.h"
@@ -231,9 +232,7 @@ class Pipeline {
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             const Face f(i);
             if (mesh_.is_deleted(f)) continue;
-            Point middle = Point::Zero();
-            for (const HalfEdge h : mesh_.halfedges(f)) middle += mesh_.position(mesh_.from(h)) / mesh_.valence(f);
-            result_.quad_facet.push_back(reference.closest(middle, mesh_.info(f).patch, hint).facet);
+            result_.quad_facet.push_back(reference.closest(face_middle(mesh_, f), mesh_.info(f).patch, hint).facet);
             hint = result_.quad_facet.back();
         }
         for (std::int32_t e = 0; e < mesh_.edge_slots(); ++e) {

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -41,6 +43,20 @@ pybind11::array to_array(std::vector<Element>&& values) {
     pybind11::capsule owner(owned.get(), [](void* p) { delete static_cast<std::vector<Element>*>(p); });
     owned.release();
     return pybind11::array_t<typename Row::Scalar>(shape, data, owner);
+}
+
+/// The rows of an array of points. @throws std::invalid_argument unless its shape is (N, 3)
+template <int Flags>
+std::span<const Eigen::Vector3d> point_span(const pybind11::array_t<double, Flags>& points) {
+    if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
+    return {reinterpret_cast<const Eigen::Vector3d*>(points.data()), static_cast<std::size_t>(points.shape(0))};
+}
+
+/// The rows of an array of triangles. @throws std::invalid_argument unless its shape is (M, 3)
+template <int Flags>
+std::span<const std::array<std::int32_t, 3>> triangle_span(const pybind11::array_t<std::int32_t, Flags>& triangles) {
+    if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
+    return {reinterpret_cast<const std::array<std::int32_t, 3>*>(triangles.data()), static_cast<std::size_t>(triangles.shape(0))};
 }
 
 }  // namespace anisoquad

@@ -24,16 +24,6 @@ using TriangleArray = py::array_t<std::int32_t, py::array::c_style>;
 using Ids = std::vector<std::int32_t>;
 using ShapePointer = std::shared_ptr<CadShape>;
 
-std::span<const Eigen::Vector3d> span_of(const PointArray& points) {
-    if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
-    return {reinterpret_cast<const Eigen::Vector3d*>(points.data()), static_cast<std::size_t>(points.shape(0))};
-}
-
-std::span<const std::array<std::int32_t, 3>> span_of(const TriangleArray& triangles) {
-    if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
-    return {reinterpret_cast<const std::array<std::int32_t, 3>*>(triangles.data()), static_cast<std::size_t>(triangles.shape(0))};
-}
-
 ShapePointer make_shape(TopoDS_Shape read, const std::string& name, bool check) {
     auto shape = std::make_shared<CadShape>(std::move(read), name);
     if (check) check_shape(*shape);
@@ -42,8 +32,8 @@ ShapePointer make_shape(TopoDS_Shape read, const std::string& name, bool check) 
 
 std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const PointArray& points, const TriangleArray& triangles,
                                            double smooth_angle) {
-    const auto points_of = span_of(points);
-    const auto triangles_of = span_of(triangles);
+    const auto points_of = point_span(points);
+    const auto triangles_of = triangle_span(triangles);
     const py::gil_scoped_release without_gil;
     auto linked = std::make_shared<const MeshLink>(link_mesh(*shape, points_of, triangles_of));
     const std::vector<char> joined = smooth_angle > 0.0 ? smooth_edges(*shape, smooth_angle) : std::vector<char>();
@@ -52,7 +42,7 @@ std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const Poin
 
 py::array projected(const CadSurface& surface, const PointArray& points, const std::vector<std::int32_t>& facets,
                     const std::vector<std::array<std::int32_t, 2>>& edges) {
-    const auto points_of = span_of(points);
+    const auto points_of = point_span(points);
     const auto count = static_cast<std::int32_t>(surface.link().facet_face.size());
     if (facets.size() != points_of.size() || edges.size() != points_of.size())
         throw std::invalid_argument("one facet and edge for each point");

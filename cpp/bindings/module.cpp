@@ -58,17 +58,13 @@ py::dict to_dict(QuadMeshResult&& result) {
 // The options by value: while the GIL is released, Python may change its own.
 py::dict mesh(const Points& points, const Triangles& triangles, const std::vector<Source>& sources, Options options,
               const py::object& progress, const TargetSurface* target) {
-    if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
-    if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
-    const std::span<const Eigen::Vector3d> point_span(reinterpret_cast<const Eigen::Vector3d*>(points.data()),
-                                                      static_cast<std::size_t>(points.shape(0)));
-    const std::span<const std::array<std::int32_t, 3>> triangle_span(
-        reinterpret_cast<const std::array<std::int32_t, 3>*>(triangles.data()), static_cast<std::size_t>(triangles.shape(0)));
+    const auto points_of = point_span(points);
+    const auto triangles_of = triangle_span(triangles);
     Context context = context_for(progress);
     QuadMeshResult result;
     {
         const py::gil_scoped_release without_gil;
-        result = quad_mesh(point_span, triangle_span, sources, options, context, target);
+        result = quad_mesh(points_of, triangles_of, sources, options, context, target);
     }
     return to_dict(std::move(result));
 }

@@ -24,16 +24,6 @@ using Mask = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 using Ids = std::vector<std::int32_t>;
 using EdgeList = std::vector<std::array<std::int32_t, 2>>;
 
-std::span<const Point> point_span(const Points& points) {
-    if (points.ndim() != 2 || points.shape(1) != 3) throw std::invalid_argument("points must have shape (N, 3)");
-    return {reinterpret_cast<const Point*>(points.data()), static_cast<std::size_t>(points.shape(0))};
-}
-
-std::span<const std::array<std::int32_t, 3>> triangle_span(const Triangles& triangles) {
-    if (triangles.ndim() != 2 || triangles.shape(1) != 3) throw std::invalid_argument("triangles must have shape (M, 3)");
-    return {reinterpret_cast<const std::array<std::int32_t, 3>*>(triangles.data()), static_cast<std::size_t>(triangles.shape(0))};
-}
-
 PickSurface make(const Points& points, const Triangles& triangles, double feature_angle, const EdgeList& feature_edges) {
     const auto points_of = point_span(points);
     const auto triangles_of = triangle_span(triangles);

@@ -9,6 +9,7 @@
 #include "cleanup/region_growth.h"
 #include "cleanup/trial.h"
 #include "mesh/area_vector.h"
+#include "mesh/face_middle.h"
 #include "quality/metrics.h"
 
 namespace anisoquad {
@@ -112,49 +113,43 @@ class Cleaner {
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > kPoor) return;
         const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
-        for (const Vertex v : nodes_of(f)) {
-            find_proposals(v, demands.gain);
-            if (apply_best(demands)) return;
-        }
-        if (quality > kUnusable) return;
-        proposals_.clear();
-        propose_inset(mesh_, f, proposals_);
-        sort_out(demands.gain);
-        apply_best(demands);
+        if (!change_round(f, demands) && quality <= kUnusable) inset(f, demands);
     }
 
     /// A quad that spans a fold of the surface is worth irregular nodes, if the new ones lie nearer.
     void bring_nearer(Face f) {
         if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0 || !is_far(f)) return;
-        for (const Vertex v : nodes_of(f)) {
-            find_proposals(v, kBringNearer.gain);
-            if (apply_best(kBringNearer)) return;
-        }
-        proposals_.clear();
-        propose_inset(mesh_, f, proposals_);
-        sort_out(kBringNearer.gain);
-        apply_best(kBringNearer);
+        if (!change_round(f, kBringNearer)) inset(f, kBringNearer);
     }
 
     bool is_far(Face f) const {
         const Eigen::Vector3d area = doubled_area_vector_of_quad(mesh_, f);
         bool bent = false;
-        Point middle = Point::Zero();
         for (const HalfEdge h : mesh_.halfedges(f)) {
-            middle += 0.25 * mesh_.position(mesh_.from(h));
             const Face beside = mesh_.face(M::twin(h));
             if (is_fixed(mesh_, M::edge(h)) || !mesh_.is_quad(beside)) continue;
             const Eigen::Vector3d other = doubled_area_vector_of_quad(mesh_, beside);
             bent = bent || area.dot(other) < kBent * area.norm() * other.norm();
         }
-        return bent && reference_.closest(middle, mesh_.info(f).patch).distance > kFar * reference_.diagonal();
+        return bent && reference_.closest(face_middle(mesh_, f), mesh_.info(f).patch).distance > kFar * reference_.diagonal();
     }
 
-    std::array<Vertex, 4> nodes_of(Face f) const {
+    /// The local patterns at a quad's nodes, until one is made.
+    bool change_round(Face f, const Trial::Demands& demands) {
         std::array<Vertex, 4> nodes;
         std::size_t k = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
-        return nodes;
+        return std::any_of(nodes.begin(), nodes.end(), [&](Vertex v) {
+            find_proposals(v, demands.gain);
+            return apply_best(demands);
+        });
+    }
+
+    void inset(Face f, const Trial::Demands& demands) {
+        proposals_.clear();
+        propose_inset(mesh_, f, proposals_);
+        sort_out(demands.gain);
+        apply_best(demands);
     }
 
     void find_proposals(Vertex v, int least_gain) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/face_middle.h"
+
 namespace anisoquad {
 namespace {
 
@@ -24,13 +26,7 @@ double corner_angle(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& 
 }
 
 Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const ReferenceSurface& reference) {
-    Point centre = Point::Zero();
-    int nodes = 0;
-    for (const HalfEdge h : mesh.halfedges(f)) {
-        centre += mesh.position(mesh.from(h));
-        ++nodes;
-    }
-    return reference.closest(centre / nodes, mesh.info(f).patch).normal;
+    return reference.closest(face_middle(mesh, f), mesh.info(f).patch).normal;
 }
 
 }  // namespace

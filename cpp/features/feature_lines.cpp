@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "input/check.h"
+#include "mesh/area_vector.h"
 
 namespace anisoquad {
 namespace {
@@ -57,7 +58,7 @@ class FeatureFinder {
     void mark_edges() {
         std::vector<Eigen::Vector3d> normals(static_cast<std::size_t>(mesh_.face_slots()));
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
-            if (!mesh_.is_deleted(Face(i))) normals[static_cast<std::size_t>(i)] = unit_normal(Face(i));
+            if (!mesh_.is_deleted(Face(i))) normals[static_cast<std::size_t>(i)] = doubled_area_vector(mesh_, Face(i)).normalized();
         }
         const double flattest = std::cos(options_.feature_angle * std::numbers::pi / 180.0);
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
@@ -86,12 +87,6 @@ class FeatureFinder {
                 k.source = static_cast<std::int32_t>(s);
             }
         }
-    }
-
-    Eigen::Vector3d unit_normal(Face f) const {
-        const HalfEdge h = mesh_.halfedge(f);
-        const Point& a = mesh_.position(mesh_.from(h));
-        return (mesh_.position(mesh_.to(h)) - a).cross(mesh_.position(mesh_.from(mesh_.prev(h))) - a).normalized();
     }
 
     void mark_corners() {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "mesh/area_vector.h"
 #include "mesh/euler_operators.h"
 #include "mesh/flip_check.h"
-#include "mesh/area_vector.h"
 #include "smoothing/move_node.h"
 
 namespace anisoquad {

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "mesh/euler_operators.h"
 #include "mesh/area_vector.h"
+#include "mesh/euler_operators.h"
 #include "quality/metrics.h"
 #include "smoothing/front_node.h"
 #include "smoothing/laplacian.h"

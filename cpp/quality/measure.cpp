@@ -9,6 +9,7 @@
 
 #include "mesh/area_vector.h"
 #include "mesh/arrays.h"
+#include "mesh/face_middle.h"
 #include "mesh/validate.h"
 #include "quality/distance.h"
 #include "quality/metrics.h"
@@ -115,15 +116,13 @@ class Measurer {
                 continue;
             }
             const Vector3d normal = doubled_area_vector_of_quad(mesh_, face(i));
-            Point centre = Point::Zero();
             bool against_neighbour = false;
             for (const HalfEdge h : mesh_.halfedges(face(i))) {
-                centre += 0.25 * mesh_.position(mesh_.from(h));
                 const Face other = mesh_.face(M::twin(h));
                 against_neighbour |= !mesh_.is_constrained(M::edge(h)) && normal.dot(doubled_area_vector_of_quad(mesh_, other)) < 0.0;
             }
             if (!against_neighbour) continue;
-            const SurfacePoint below = reference_.closest(centre, ReferenceSurface::kAnyPatch, hint);
+            const SurfacePoint below = reference_.closest(face_middle(mesh_, face(i)), ReferenceSurface::kAnyPatch, hint);
             hint = below.facet;
             report_.inverted += normal.dot(below.normal) < 0.0;
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/face_middle.h"
 #include "quality/metrics.h"
 #include "smoothing/optimisation.h"
 
@@ -67,15 +68,14 @@ class OntoTarget {
         return place;
     }
 
+    /// In the order of the faces' slots.
     std::vector<Face> inverted() const {
         std::vector<Face> found;
         std::int32_t hint = -1;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             const Face f(i);
             if (mesh_.is_deleted(f) || !mesh_.is_quad(f)) continue;
-            Point middle = Point::Zero();
-            for (const HalfEdge h : mesh_.halfedges(f)) middle += 0.25 * mesh_.position(mesh_.from(h));
-            const SurfacePoint below = reference_.closest(middle, mesh_.info(f).patch, hint);
+            const SurfacePoint below = reference_.closest(face_middle(mesh_, f), mesh_.info(f).patch, hint);
             hint = below.facet;
             if (below.facet >= 0 && scaled_jacobian(mesh_, f, below.normal) <= 0.0) found.push_back(f);
         }
@@ -84,7 +84,7 @@ class OntoTarget {
 
     std::vector<Face> new_ones(const std::vector<Face>& before) const {
         std::vector<Face> found = inverted();
-        std::erase_if(found, [&](Face f) { return std::find(before.begin(), before.end(), f) != before.end(); });
+        std::erase_if(found, [&](Face f) { return std::binary_search(before.begin(), before.end(), f); });
         return found;
     }
 

@@ -17,8 +17,6 @@ constexpr double kLeastCornerArea = 0.1;
 constexpr double kFlat = 0.7;
 /// The same, below which faces can leave the surface by more than a little.
 constexpr double kStraight = 0.9;
-/// The same, above which the tangent plane is as good as any map of the surface.
-constexpr double kPlane = 0.985;
 /// Smallest mean square of the normals' part along any direction where the surface is a tip rather than a fold.
 constexpr double kTip = 0.15;
 /// Least cosine between a face of a curved star and the surface's normal.
@@ -59,22 +57,18 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     if (!(length > 0.0)) return false;
     normal_ /= length;
     see_along(normal_);
-    is_curved_ = false;
-    is_bent_ = false;
-    is_flat_ = true;
+    least_cosine_ = 1.0;
     upright_ = 0.0;
     is_on_fold_ = false;
     for (int i = 0; i < size_; ++i) {
         const Vector3d area = area_vector(wedges_[static_cast<std::size_t>(i)]);
-        is_curved_ = is_curved_ || area.dot(normal_) < kFlat * area.norm();
-        is_bent_ = is_bent_ || area.dot(normal_) < kStraight * area.norm();
-        is_flat_ = is_flat_ && area.dot(normal_) >= kPlane * area.norm();
+        if (area.norm() > 0.0) least_cosine_ = std::min(least_cosine_, area.dot(normal_) / area.norm());
     }
     return true;
 }
 
 void Star::see_along_surface(const ReferenceSurface& reference) {
-    if (!is_curved_) return;
+    if (least_cosine_ >= kFlat) return;
     upright_ = kUpright;
     std::int32_t hint = -1;
     for (int i = 0; i < size_; ++i) {
@@ -103,7 +97,7 @@ double Star::distance(const ReferenceSurface& reference, const Point& p) const {
 }
 
 bool Star::stays_near(const ReferenceSurface& reference, const Point& p) const {
-    if (!is_bent_) return true;
+    if (least_cosine_ >= kStraight) return true;
     const double after = distance(reference, p);
     return after <= kNear * reference.diagonal() || after <= distance(reference, centre_);
 }

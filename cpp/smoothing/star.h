@@ -15,6 +15,7 @@ class Star {
     static constexpr int kCapacity = 32;
     static constexpr double kPoor = 0.6;  ///< scaled Jacobian below which an element is poor
     static constexpr double kStretchWeight = 0.05;
+    static constexpr double kPlane = 0.985;  ///< least cosine between a face and the normal of a flat star
 
     /// @returns false if the node has no face or more than kCapacity of them
     bool gather(const SurfaceMesh& mesh, Vertex v);
@@ -39,12 +40,12 @@ class Star {
     /// along the reference surface's normal at its middle. Elsewhere nothing changes.
     void see_along_surface(const ReferenceSurface& reference);
     /// True where the surface hardly turns round the node: its tangent plane will do for a step.
-    bool is_flat() const { return is_flat_; }
+    bool is_flat() const { return least_cosine_ >= kPlane; }
     /// True where the surface is folded round the node, and the node can only slide along the fold, if at all: off it the mesh
     /// would draw back from the fold, which no distance of the mesh from the surface tells. Known after see_along_surface().
     bool is_on_fold() const { return is_on_fold_; }
-    /// With the node at p, the middles of the faces and of the node's edges don't leave the surface by more than they did or is small. Always true where
-    /// the surface is hardly curved.
+    /// With the node at p, the middles of the faces and of the node's edges don't leave the surface by more than they did or is
+    /// small. Always true where the surface is hardly curved.
     bool stays_near(const ReferenceSurface& reference, const Point& p) const;
     /// The step without its part across the fold.
     Eigen::Vector3d along_fold(const Eigen::Vector3d& step) const { return step.dot(fold_axis_) * fold_axis_; }
@@ -94,10 +95,8 @@ class Star {
     double upright_ = 0.0;    ///< least cosine between a face and the side that it is seen from
     bool is_on_fold_ = false;
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
-    bool is_curved_ = false;  ///< some face is turned far from the normal
+    double least_cosine_ = 1.0;  ///< between a face and normal()
     bool has_quads_only_ = false;
-    bool is_flat_ = false;    ///< no face is turned from the normal by more than a little
-    bool is_bent_ = false;    ///< some face is turned from the normal
 };
 
 }  // namespace anisoquad

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <fstream>
-#include <limits>
 #include <map>
 #include <random>
 
@@ -103,22 +101,7 @@ Surface sphere(int triangles) {
 }
 
 Surface wing(const std::string& name, int triangles) {
-    const std::string path = ANISOQUAD_TEST_DATA "/" + name;
-    Surface s;
-    std::ifstream off(path + ".off");
-    std::string magic;
-    std::size_t points = 0;
-    std::size_t count = 0;
-    int corners = 0;
-    off >> magic >> points >> count >> corners;
-    s.points.resize(points);
-    for (auto& p : s.points) off >> p.x() >> p.y() >> p.z();
-    s.triangles.resize(count);
-    for (auto& t : s.triangles) off >> corners >> t[0] >> t[1] >> t[2];
-    std::ifstream json(path + ".json");
-    json.ignore(std::numeric_limits<std::streamsize>::max(), '[');
-    char separator = ',';
-    for (std::int32_t id = 0; separator == ',' && json >> id >> separator;) s.leading_edge.push_back(id);
+    Surface s = read_wing_file(ANISOQUAD_TEST_DATA "/" + name);
     while (static_cast<int>(s.triangles.size()) < triangles) s = divided(s);
     return s;
 }

@@ -1,20 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <string>
-#include <vector>
 
-#include "options.h"
+#include "wing_file.h"
 
 namespace anisoquad::benchmarks {
 
-struct Surface {
-    std::vector<Eigen::Vector3d> points;
-    std::vector<std::array<std::int32_t, 3>> triangles;
-    std::vector<std::int32_t> leading_edge;
-};
+using Surface = WingFile;
 
 /// Unit square of about so many triangles, regular but for a fifth of the spacing by which its nodes are displaced.
 Surface plane(int triangles);

@@ -4,13 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "quality/metrics.h"
 #include "stages.h"
+#include "wing_file.h"
 
 namespace anisoquad {
 namespace {
@@ -319,22 +319,11 @@ struct Wing {
 };
 
 Wing read_wing(const std::string& name) {
-    const std::string file = std::string(ANISOQUAD_TEST_DATA "/") + name;
+    WingFile file = read_wing_file(std::string(ANISOQUAD_TEST_DATA "/") + name);
     Wing wing;
-    std::ifstream off(file + ".off");
-    std::string magic;
-    std::size_t points = 0;
-    std::size_t triangles = 0;
-    int count = 0;
-    off >> magic >> points >> triangles >> count;
-    wing.shape.points.resize(points);
-    for (auto& p : wing.shape.points) off >> p.x() >> p.y() >> p.z();
-    wing.shape.triangles.resize(triangles);
-    for (auto& t : wing.shape.triangles) off >> count >> t[0] >> t[1] >> t[2];
-    std::ifstream json(file + ".json");
-    json.ignore(std::numeric_limits<std::streamsize>::max(), '[');
-    char separator = ',';
-    for (std::int32_t id = 0; separator == ',' && json >> id >> separator;) wing.leading_edge.push_back(id);
+    wing.shape.points = std::move(file.points);
+    wing.shape.triangles = std::move(file.triangles);
+    wing.leading_edge = std::move(file.leading_edge);
     return wing;
 }
 

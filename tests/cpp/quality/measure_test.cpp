@@ -195,6 +195,19 @@ TEST(Measure, DistanceCountsBothWays) {
     EXPECT_NEAR(r.hausdorff_relative, 2.0 / std::sqrt(32.0), 1e-12);
 }
 
+TEST(Measure, AQuadCountsAsItsTwoHalves) {
+    shapes::Shape shape = shapes::grid(1, 1);
+    shape.points[3].z() = 1.0;
+    SurfaceMesh mesh = shape.mesh();
+    const Face quad = dissolve_edge(mesh, M::edge(mesh.find_halfedge(Vertex(0), Vertex(3))));
+    HalfEdge h = mesh.halfedge(quad);
+    for (int k = 0; k < 4; ++k, h = mesh.next(h)) {
+        mesh.set_halfedge(quad, h);
+        const bool same_diagonal = mesh.from(h) == Vertex(0) || mesh.from(h) == Vertex(3);
+        EXPECT_EQ(measured(mesh, shape).hausdorff < 1e-12, same_diagonal);
+    }
+}
+
 TEST(Measure, RowsOnBothSidesOfASource) {
     // Rows of heights 0.5, 1 (above) and 0.25 (below) around y = 0, columns of 2.
     shapes::Shape shape = shapes::grid(5, 5);
