@@ -197,7 +197,8 @@ class RowBuilder {
             const TraceEnd ahead = trace_geodesic(mesh_, into(i), angle_[i], before > 0.0 ? before : 1e-3 * mesh_.length(into(i)));
             const double local = size_(ahead.position, hint);
             const double share = before > 0.0 ? 1.0 : kFirstRow;
-            low[i] = before > 0.0 ? before * (before > cap ? kLeastGrowthCapped : kLeastGrowth) : 0.0;
+            // Options.row_growth may ask for less growth than the rows like.
+            low[i] = before > 0.0 ? before * std::min(before > cap ? kLeastGrowthCapped : kLeastGrowth, limits_.growth) : 0.0;
             high[i] = before > 0.0 ? before * limits_.growth : 1e300;
             const double width = 0.5 * (mesh_.length(front_[i > 0 ? i - 1 : 0]) + mesh_.length(front_[i < columns_ ? i : columns_ - 1]));
             const double least = limits_.height_of_width * width;

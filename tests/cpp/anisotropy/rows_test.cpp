@@ -170,7 +170,7 @@ TEST(RowBuilding, HeightsGrowByTheLimitAtMost) {
         y += 0.15 * std::pow(1.3, j);
     }
     // Lines at the ends would give their nodes' heights: the source ends inside.
-    for (const double growth : {1.1, 1.2}) {
+    for (const double growth : {1.0, 1.1, 1.2}) {
         Rows p(shape, {source(path(5 * 21 + 5, 5 * 21 + 15, 1), {{2, 0}}, Sides::left)});
         RowLimits limits;
         limits.growth = growth;

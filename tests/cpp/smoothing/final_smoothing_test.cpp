@@ -9,10 +9,9 @@ namespace anisoquad {
 namespace {
 
 using namespace quad_grid;
-using Map = Point (*)(double, double);
 
 class FinalSmoothing : public testing::TestWithParam<Map> {};
-INSTANTIATE_TEST_SUITE_P(Surfaces, FinalSmoothing, testing::Values(&on_plane, &on_sphere, &on_cylinder));
+INSTANTIATE_TEST_SUITE_P(Surfaces, FinalSmoothing, testing::Values(&on_plane, &on_sphere, &on_cylinder), name_of);
 
 TEST_P(FinalSmoothing, ImprovesDistortedGrids) {
     const Grid g = make(16, 16, GetParam());

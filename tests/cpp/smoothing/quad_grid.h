@@ -1,10 +1,13 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "mesh/arrays.h"
@@ -18,6 +21,13 @@ namespace anisoquad::quad_grid {
 inline Point on_plane(double x, double y) { return {x, y, 0.0}; }
 inline Point on_sphere(double x, double y) { return Point(x - 0.5, y - 0.5, 0.8).normalized(); }
 inline Point on_cylinder(double x, double y) { return {-std::cos(2.0 * x), 2.0 * y, std::sin(2.0 * x)}; }
+
+using Map = Point (*)(double, double);
+
+/// Name of a test on one of them.
+inline std::string name_of(const testing::TestParamInfo<Map>& info) {
+    return info.param == &on_plane ? "plane" : info.param == &on_sphere ? "sphere" : "cylinder";
+}
 
 struct Grid {
     int nx = 0;

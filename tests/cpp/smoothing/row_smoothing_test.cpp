@@ -48,8 +48,8 @@ double height(const SurfaceMesh& mesh, const Grid& g, int i, int j) {
     return (off - off.dot(along) * along).norm();
 }
 
-class Rows : public testing::TestWithParam<Point (*)(double, double)> {};
-INSTANTIATE_TEST_SUITE_P(Surfaces, Rows, testing::Values(&on_plane, &on_sphere, &on_cylinder));
+class Rows : public testing::TestWithParam<Map> {};
+INSTANTIATE_TEST_SUITE_P(Surfaces, Rows, testing::Values(&on_plane, &on_sphere, &on_cylinder), name_of);
 
 TEST_P(Rows, ShearedColumnsAreStraightenedAndHeightsKept) {
     const Grid g = rows_grid(GetParam());
@@ -94,8 +94,11 @@ TEST_P(Rows, ShearedColumnsAreStraightenedAndHeightsKept) {
     }
 }
 
-TEST_P(Rows, GoodRowsStayAsTheyAre) {
-    if (GetParam() == &on_sphere) GTEST_SKIP() << "the sphere's grid is oblique";
+// On the sphere the grid is oblique, and its rows are not good yet.
+class GoodRows : public testing::TestWithParam<Map> {};
+INSTANTIATE_TEST_SUITE_P(Surfaces, GoodRows, testing::Values(&on_plane, &on_cylinder), name_of);
+
+TEST_P(GoodRows, StayAsTheyAre) {
     const Grid g = rows_grid(GetParam());
     SurfaceMesh mesh = rows_mesh(g);
     const ReferenceSurface reference = g.reference();
