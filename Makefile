@@ -5,7 +5,7 @@ JOBS       ?= $(shell nproc)
 # Given to CMake's configure step, e.g. CMAKE_FLAGS=-DANISOQUAD_WERROR=ON
 CMAKE_FLAGS ?=
 
-PACKAGES = g++ cmake libeigen3-dev pybind11-dev libgtest-dev libbenchmark-dev \
+PACKAGES = g++ cmake libeigen3-dev libtbb-dev pybind11-dev libgtest-dev libbenchmark-dev \
            libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev \
            python3 python3-dev python3-numpy python3-meshio python3-matplotlib python3-pivy freecad freecad-python3 \
            xvfb xauth libgl1-mesa-dri calculix-ccx qttools5-dev-tools

@@ -39,6 +39,7 @@ struct Options {
     double row_growth = 1.2;    ///< limit of the height of a row over that of the row before
     int smoothing_passes = 30;  ///< limit of sweeps of the final smoothing
     bool cleanup = true;        ///< topological clean-up after the fill
+    int threads = 0;            ///< most threads that a run uses; 0: as many as there are cores. The mesh is the same for any number
     bool validate = false;      ///< check the invariants of the mesh after every stage (always on in debug builds)
     bool record_stages = false;  ///< keep a copy of the mesh after every rows and merge step (the paper's Fig. 3, 6, 7)
 };

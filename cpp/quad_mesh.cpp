@@ -19,6 +19,7 @@
 #include "mesh/arrays.h"
 #include "mesh/face_middle.h"
 #include "mesh/validate.h"
+#include "parallel.h"
 #include "prepare/prepare.h"
 #include "prepare/size_range.h"
 #include "qmorph/node_size.h"
@@ -375,8 +376,11 @@ QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std
                          const Options& options, Context& context, const TargetSurface* target) {
     // The target knows the triangles by their ids, which a repair changes.
     if (options.repair && target) throw Error(ErrorCode::invalid_option, "The triangles of a CAD shape can't be repaired: mend the shape, or mesh without it.");
-    if (options.repair) return mesh_repaired(points, triangles, sources, options, context);
-    return Pipeline(points, triangles, sources, options, context, target).run();
+    check_options(options, points.size());
+    return with_threads(options.threads, [&] {
+        if (options.repair) return mesh_repaired(points, triangles, sources, options, context);
+        return Pipeline(points, triangles, sources, options, context, target).run();
+    });
 }
 
 }  // namespace anisoquad

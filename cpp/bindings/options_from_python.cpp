@@ -64,6 +64,7 @@ void bind_options(py::module_& module) {
         .add("row_growth", &Options::row_growth, "Limit of the height of a row over that of the row before")
         .add("smoothing_passes", &Options::smoothing_passes, "Limit of sweeps of the final smoothing")
         .add("cleanup", &Options::cleanup, "Topological clean-up after the fill")
+        .add("threads", &Options::threads, "Most threads that a run uses; 0: as many as there are cores. The mesh is the same for any number")
         .add("validate", &Options::validate, "Check the invariants of the mesh after every stage")
         .add("record_stages", &Options::record_stages, "Keep a copy of the mesh after every rows and merge step")
         .finish();

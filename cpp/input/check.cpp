@@ -308,6 +308,7 @@ void check_options(const Options& options, std::size_t points) {
     if (!(options.curvature_angle >= 0.0 && options.curvature_angle <= 180.0)) {
         invalid_option("The curvature angle must be between 0 and 180 degrees.");
     }
+    if (options.threads < 0) invalid_option("The number of threads must be 0 (all cores) or more.");
     if (options.smoothing_passes < 0) invalid_option("The number of smoothing passes must be 0 or more.");
 }
 

@@ -16,8 +16,8 @@ struct SpatialOrder {
     std::vector<std::int32_t> triangle;  ///< input triangle at each place of the order
 };
 
-/// Vertices along a Z-order curve (Morton 1966) through the bounding box, triangles by their vertices' places. It depends on the
-/// coordinates alone, not on the order of the input, where no two vertices share a cell of 1/2²¹ of the largest extent.
+/// Vertices along a Z-order curve (see mesh/z_curve.h), triangles by their vertices' places. It depends on the coordinates
+/// alone, not on the order of the input, where no two vertices share a cell of the curve.
 /// Costs n log n of the vertices. @pre coordinates are finite, indices in range
 SpatialOrder spatial_order(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles);
 

@@ -1,5 +1,7 @@
 #include "quality/measure.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "mesh/arrays.h"
 #include "mesh/face_middle.h"
 #include "mesh/validate.h"
+#include "parallel.h"
 #include "quality/distance.h"
 #include "quality/metrics.h"
 #include "quality/row_report.h"
@@ -73,19 +76,18 @@ class Measurer {
     /// @param measure (mesh, face) → value
     template <class Measure>
     Distribution distribution(Measure measure, bool small_is_bad) {
-        values_.clear();
         Distribution result;
+        values_.resize(quads_.size());
+        for_each(static_cast<std::int32_t>(quads_.size()), [&](std::int32_t i) { values_[at(i)] = measure(face(quads_[at(i)])); });
         double worst = 0.0;
-        for (const std::size_t i : quads_) {
-            const double value = measure(face(i));
-            if (result.worst < 0 || (small_is_bad ? value < worst : value > worst)) {
-                worst = value;
-                result.worst = static_cast<std::int32_t>(i);
-            }
-            if (std::isfinite(value)) values_.push_back(value);
+        for (std::size_t i = 0; i < quads_.size(); ++i) {
+            if (result.worst >= 0 && !(small_is_bad ? values_[i] < worst : values_[i] > worst)) continue;
+            worst = values_[i];
+            result.worst = static_cast<std::int32_t>(quads_[i]);
         }
+        std::erase_if(values_, [](double value) { return !std::isfinite(value); });
         if (values_.empty()) return result;
-        std::sort(values_.begin(), values_.end());
+        tbb::parallel_sort(values_.begin(), values_.end());
         double sum = 0.0;
         for (const double value : values_) sum += value;
         result.min = values_.front();

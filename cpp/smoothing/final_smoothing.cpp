@@ -1,8 +1,12 @@
 #include "smoothing/final_smoothing.h"
 
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <vector>
 
+#include "mesh/z_curve.h"
+#include "parallel.h"
 #include "quality/metrics.h"
 #include "smoothing/chart.h"
 #include "smoothing/flat_star.h"
@@ -32,20 +36,29 @@ struct Statistics {
 };
 
 Statistics statistics(const SurfaceMesh& mesh) {
-    Statistics s;
-    double sum = 0.0;
-    int quads = 0;
-    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
-        const Face f(i);
-        if (mesh.is_deleted(f) || !mesh.is_quad(f)) continue;
-        const double q = scaled_jacobian(mesh, f);
-        s.min = std::min(s.min, q);
-        s.inverted += q <= kUpright ? 1 : 0;
-        sum += q;
-        ++quads;
-    }
-    if (quads > 0) s.mean = sum / quads;
-    return s;
+    struct Sum {
+        Statistics of;
+        double quality = 0.0;
+        int quads = 0;
+    };
+    const auto of_block = [&](std::int32_t first, std::int32_t last) {
+        Sum s;
+        for (std::int32_t i = first; i < last; ++i) {
+            const Face f(i);
+            if (mesh.is_deleted(f) || !mesh.is_quad(f)) continue;
+            const double q = scaled_jacobian(mesh, f);
+            s.of.min = std::min(s.of.min, q);
+            s.of.inverted += q <= kUpright ? 1 : 0;
+            s.quality += q;
+            ++s.quads;
+        }
+        return s;
+    };
+    Sum s = reduce_blocks(mesh.face_slots(), Sum{}, of_block, [](const Sum& a, const Sum& b) {
+        return Sum{{std::min(a.of.min, b.of.min), 1.0, a.of.inverted + b.of.inverted}, a.quality + b.quality, a.quads + b.quads};
+    });
+    if (s.quads > 0) s.of.mean = s.quality / s.quads;
+    return s.of;
 }
 
 class FinalSmoother {
@@ -56,26 +69,74 @@ class FinalSmoother {
           lines_(lines),
           hint_(static_cast<std::size_t>(mesh.vertex_slots()), -1),
           first_step_(static_cast<std::size_t>(mesh.vertex_slots()), static_cast<float>(kFirstStep)),
-          awake_(static_cast<std::size_t>(mesh.vertex_slots()), 0) {}
+          awake_(static_cast<std::size_t>(mesh.vertex_slots()), 0) {
+        put_in_blocks();
+    }
 
-    /// Visits, in the order of the slots, the nodes round which something moved in this sweep or the last one.
+    /// Visits the nodes round which something moved in this sweep or the last one: the blocks side by side, then the nodes whose
+    /// star reaches into another block.
     /// @returns number of moves
     int sweep(int number) {
-        int moves = 0;
-        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
-            const Vertex v(i);
-            if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || awake_[index(v)] + 1 < number) continue;
-            const Point before = mesh_.position(v);
-            const double edge = mesh_.length(mesh_.halfedge(v));
-            if (!visit(v)) continue;
-            ++moves;
-            if ((mesh_.position(v) - before).norm() > kAtRest * edge) wake_neighbours(v, number);
-        }
-        return moves;
+        const auto visit_nodes = [&](std::span<const Vertex> nodes) {
+            int moves = 0;
+            for (const Vertex v : nodes) moves += visit_if_awake(v, number) ? 1 : 0;
+            return moves;
+        };
+        const auto visit_block = [&](std::int32_t first, std::int32_t last) {
+            return visit_nodes(std::span(inner_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
+        };
+        const int moves = reduce_blocks(static_cast<std::int32_t>(inner_.size()), 0, visit_block, std::plus<>());
+        return moves + visit_nodes(between_);
     }
 
   private:
     static std::size_t index(Vertex v) { return static_cast<std::size_t>(v.index()); }
+
+    /// Blocks of nodes that are near each other, in the order of the slots within a block. In inner_ the nodes of a block that is
+    /// not full are followed by invalid ones.
+    void put_in_blocks() {
+        std::vector<Vertex> nodes;
+        std::vector<Point> places;
+        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            const Vertex v(i);
+            if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid()) continue;
+            nodes.push_back(v);
+            places.push_back(mesh_.position(v));
+        }
+        const std::vector<std::int32_t> order = order_along_z_curve(places);
+        std::vector<std::int32_t> block(static_cast<std::size_t>(mesh_.vertex_slots()), -1);
+        for (std::size_t i = 0; i < order.size(); ++i)
+            block[index(nodes[static_cast<std::size_t>(order[i])])] = static_cast<std::int32_t>(i) / kBlock;
+        const auto is_inner = [&](Vertex v) {
+            for (const HalfEdge h : mesh_.outgoing(v)) {
+                if (block[index(mesh_.to(h))] != block[index(v)]) return false;
+                if (mesh_.is_boundary(h)) continue;
+                for (const HalfEdge g : mesh_.halfedges(mesh_.face(h))) {
+                    if (block[index(mesh_.from(g))] != block[index(v)]) return false;
+                }
+            }
+            return true;
+        };
+        inner_.assign(order.size(), Vertex());
+        std::vector<std::size_t> next(order.size() / kBlock + 1);
+        for (std::size_t b = 0; b < next.size(); ++b) next[b] = b * kBlock;
+        for (const Vertex v : nodes) {
+            if (is_inner(v)) {
+                inner_[next[static_cast<std::size_t>(block[index(v)])]++] = v;
+            } else {
+                between_.push_back(v);
+            }
+        }
+    }
+
+    bool visit_if_awake(Vertex v, int number) {
+        if (!v.is_valid() || awake_[index(v)] + 1 < number) return false;
+        const Point before = mesh_.position(v);
+        const double edge = mesh_.length(mesh_.halfedge(v));
+        if (!visit(v)) return false;
+        if ((mesh_.position(v) - before).norm() > kAtRest * edge) wake_neighbours(v, number);
+        return true;
+    }
 
     bool visit(Vertex v) {
         if (mesh_.info(v).kind != NodeKind::interior) {
@@ -141,6 +202,8 @@ class FinalSmoother {
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;
     const ReferenceLines& lines_;
+    std::vector<Vertex> inner_;    ///< nodes whose star lies in their block, by blocks
+    std::vector<Vertex> between_;  ///< all others
     std::vector<std::int32_t> hint_;   ///< facet of the reference surface near each node
     std::vector<float> first_step_;    ///< of each node's next search, over the mean edge length
     std::vector<std::int32_t> awake_;  ///< last sweep in which something near the node moved

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "mesh/z_curve.h"
+#include "parallel.h"
 #include "surface/closest_on_triangle.h"
 
 namespace anisoquad {
@@ -78,28 +80,30 @@ void FacetTree::find_neighbours() {
 }
 
 void FacetTree::measure_facets() {
-    near2_.reserve(facets_.size());
-    for (const auto& t : facets_) {
+    near2_.resize(facets_.size());
+    for_each(count(), [&](std::int32_t f) {
+        const auto& t = facets_[at(f)];
         const Vector3d a = points_[at(t[1])] - points_[at(t[0])];
         const Vector3d b = points_[at(t[2])] - points_[at(t[0])];
         const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
         const double height = longest2 > 0.0 ? a.cross(b).norm() / std::sqrt(longest2) : 0.0;
         const double near = std::min(kNearOfHeight * height, kNearOfDiagonal * diagonal_);
-        near2_.push_back(static_cast<float>(near * near));
-    }
+        near2_[at(f)] = static_cast<float>(near * near);
+    });
 }
 
 void FacetTree::build_tree() {
-    order_.resize(facets_.size());
-    std::iota(order_.begin(), order_.end(), 0);
     nodes_.clear();
     if (facets_.empty()) return;
     nodes_.reserve(facets_.size());
     std::vector<Vector3d> middle(facets_.size());
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-        const auto& [a, b, c] = facets_[f];
-        middle[f] = (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
-    }
+    for_each(count(), [&](std::int32_t f) {
+        const auto& [a, b, c] = facets_[at(f)];
+        middle[at(f)] = (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
+    });
+    order_ = order_along_z_curve(middle);
+
+    // Halves of the curve down to the leaves, each node before its children.
     struct Task {
         std::int32_t first, last, parent;  ///< parent: the node whose right child this is, -1 = a left child
     };
@@ -109,35 +113,35 @@ void FacetTree::build_tree() {
         tasks.pop_back();
         const auto index = static_cast<std::int32_t>(nodes_.size());
         if (task.parent >= 0) nodes_[at(task.parent)].first = index;
-        Eigen::AlignedBox3d box;
-        Eigen::AlignedBox3d middles;
-        Node node;
-        node.patch = patch_[at(order_[at(task.first)])];
-        for (std::int32_t i = task.first; i < task.last; ++i) {
-            const std::int32_t f = order_[at(i)];
-            for (std::int32_t v : facets_[at(f)]) box.extend(points_[at(v)]);
-            middles.extend(middle[at(f)]);
-            if (patch_[at(f)] != node.patch) node.patch = kAnyPatch;
-        }
-        node.low = box.min();
-        node.high = box.max();
-        node.first = task.first;
+        Node& node = nodes_.emplace_back();
         if (task.last - task.first > kLeafSize) {
-            Eigen::Index axis = 0;
-            middles.sizes().maxCoeff(&axis);
             const std::int32_t half = task.first + (task.last - task.first) / 2;
-            std::nth_element(order_.begin() + task.first, order_.begin() + half, order_.begin() + task.last,
-                             [&](std::int32_t a, std::int32_t b) {
-                                 const double x = middle[at(a)][axis];
-                                 const double y = middle[at(b)][axis];
-                                 return x != y ? x < y : a < b;
-                             });
             tasks.push_back({half, task.last, index});
             tasks.push_back({task.first, half, -1});
         } else {
+            node.first = task.first;
             node.count = task.last - task.first;
         }
-        nodes_.push_back(node);
+    }
+    // Their boxes from the leaves up.
+    for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
+        if (node->count > 0) {
+            Eigen::AlignedBox3d box;
+            node->patch = patch_[at(order_[at(node->first)])];
+            for (std::int32_t i = node->first; i < node->first + node->count; ++i) {
+                const std::int32_t f = order_[at(i)];
+                for (const std::int32_t v : facets_[at(f)]) box.extend(points_[at(v)]);
+                if (patch_[at(f)] != node->patch) node->patch = kAnyPatch;
+            }
+            node->low = box.min();
+            node->high = box.max();
+        } else {
+            const Node& left = *(node - 1);
+            const Node& right = nodes_[at(node->first)];
+            node->low = left.low.cwiseMin(right.low);
+            node->high = left.high.cwiseMax(right.high);
+            node->patch = left.patch == right.patch ? left.patch : kAnyPatch;
+        }
     }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "parallel.h"
+
 namespace anisoquad {
 namespace {
 
@@ -25,27 +27,27 @@ ReferenceSurface::ReferenceSurface(std::span<const Point> points, std::span<cons
 
 void ReferenceSurface::compute_normals(double crease_angle) {
     facet_normal_.resize(at(facet_count()));
-    for (std::size_t f = 0; f < at(facet_count()); ++f) {
-        const auto& [a, b, c] = tree_.facet(static_cast<std::int32_t>(f));
-        facet_normal_[f] = (tree_.point(b) - tree_.point(a)).cross(tree_.point(c) - tree_.point(a)).stableNormalized();
-    }
+    for_each(facet_count(), [&](std::int32_t f) {
+        const auto& [a, b, c] = tree_.facet(f);
+        facet_normal_[at(f)] = (tree_.point(b) - tree_.point(a)).cross(tree_.point(c) - tree_.point(a)).stableNormalized();
+    });
     const double crease = std::cos(crease_angle * std::numbers::pi / 180.0);
     const auto corner_of = [this](std::int32_t facet, std::int32_t v) {
         const auto& t = tree_.facet(facet);
         return t[0] == v ? 0 : (t[1] == v ? 1 : 2);
     };
     std::vector<std::array<double, 3>> angle(at(facet_count()));
-    for (std::size_t f = 0; f < at(facet_count()); ++f) {
-        const auto& t = tree_.facet(static_cast<std::int32_t>(f));
+    for_each(facet_count(), [&](std::int32_t f) {
+        const auto& t = tree_.facet(f);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vector3d a = tree_.point(t[(k + 1) % 3]) - tree_.point(t[k]);
             const Vector3d b = tree_.point(t[(k + 2) % 3]) - tree_.point(t[k]);
-            angle[f][k] = std::atan2(a.cross(b).norm(), a.dot(b));
+            angle[at(f)][k] = std::atan2(a.cross(b).norm(), a.dot(b));
         }
-    }
+    });
     const auto weighted = [&](std::int32_t facet, int k) -> Vector3d { return angle[at(facet)][at(k)] * facet_normal_[at(facet)]; };
     corner_normal_.resize(at(facet_count()));
-    for (std::int32_t f = 0; f < facet_count(); ++f) {
+    for_each(facet_count(), [&](std::int32_t f) {
         for (int k = 0; k < 3; ++k) {
             const std::int32_t v = tree_.facet(f)[at(k)];
             Vector3d sum = weighted(f, k);
@@ -70,7 +72,7 @@ void ReferenceSurface::compute_normals(double crease_angle) {
             }
             corner_normal_[at(f)][at(k)] = (sum.norm() > 0.0 ? Vector3d(sum.normalized()) : facet_normal_[at(f)]).cast<float>();
         }
-    }
+    });
 }
 
 Vector3d ReferenceSurface::interpolated_normal(const FacetTree::Hit& c) const {

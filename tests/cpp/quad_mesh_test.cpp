@@ -12,6 +12,23 @@ using stages::source;
 
 // ---------------------------------------------------------------- without a source
 
+TEST(QuadMesh, IsTheSameForAnyNumberOfThreads) {
+    // More nodes than a block of the parallel loops has, so that the blocks meet.
+    const shapes::Shape shape = shapes::torus(160, 80);
+    Options options;
+    options.threads = 1;
+    const QuadMeshResult alone = quad_mesh(shape.points, shape.triangles, {}, options);
+    ASSERT_GT(alone.points.size(), 4096u);
+    for (const int threads : {2, 3, 0}) {
+        options.threads = threads;
+        const QuadMeshResult result = quad_mesh(shape.points, shape.triangles, {}, options);
+        EXPECT_EQ(result.points, alone.points);
+        EXPECT_EQ(result.quads, alone.quads);
+        EXPECT_EQ(result.report.hausdorff, alone.report.hausdorff);
+        EXPECT_EQ(result.report.scaled_jacobian.mean, alone.report.scaled_jacobian.mean);
+    }
+}
+
 TEST(QuadMesh, PlaneWithHoles) {
     for (const auto& shape : {shapes::grid(12, 9), plane_with_holes()}) {
         const QuadMeshResult result = meshed(shape);

@@ -6,8 +6,8 @@ from ..errors import MeshError
 from ..meshing import Options
 from . import properties
 
-# Options that are for tests and pictures, not for documents.
-_NOT_PROPERTIES = ("validate", "record_stages")
+# Options of the machine, for tests and for pictures, not for documents.
+_NOT_PROPERTIES = ("threads", "validate", "record_stages")
 
 _TYPE_OF = {bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat"}
 _TYPE_OF_LIST = {"feature_edges": "App::PropertyIntegerList", "vertex_size": "App::PropertyFloatList"}

@@ -215,6 +215,7 @@ TEST(CheckOptions, RejectsValuesOutOfRange) {
         with([](Options& o) { o.feature_angle = std::numeric_limits<double>::quiet_NaN(); }),
         with([](Options& o) { o.row_growth = 0.9; }),
         with([](Options& o) { o.smoothing_passes = -1; }),
+        with([](Options& o) { o.threads = -1; }),
     };
     for (const Options& options : bad) {
         expect_error([&] { check_options(options); }, ErrorCode::invalid_option, ElementKind::none, {});
