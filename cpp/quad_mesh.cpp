@@ -77,6 +77,8 @@ class Pipeline {
         check_sources(mesh_, sources_, order_.rank);
         check_feature_edges(mesh_, options_.feature_edges, order_.rank);
         if (!order_.rank.empty()) put_ids_in_order();
+        order_.rank = {};
+        order_.triangle = {};
         before_ = topology(mesh_);
         end();
 
@@ -131,6 +133,8 @@ class Pipeline {
         snapshot("result", frame);
 
         begin("report", 0.95, 1.0);
+        unit_points_ = {};
+        ordered_triangles_ = {};
         finish(frame, reference);
         if (target_) tell_input(reference, reference_lines);
         end();

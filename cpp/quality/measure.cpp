@@ -237,6 +237,7 @@ class Measurer {
         report_.neighbour_area_ratio_max = values_.empty() ? 1.0 : values_.back();
     }
 
+    /// The last of the measures: what the others needed is given back, since a second tree needs much room.
     void measure_distance() {
         std::vector<std::array<std::int32_t, 3>> halves;
         halves.reserve(2 * arrays_.faces.size());
@@ -244,7 +245,11 @@ class Measurer {
             halves.push_back({f[0], f[1], f[2]});
             if (f[3] >= 0) halves.push_back({f[0], f[2], f[3]});
         }
-        const FacetTree result(arrays_.points, halves);
+        std::vector<Point> points = std::move(arrays_.points);
+        arrays_ = {};
+        quads_ = {};
+        values_ = {};
+        const FacetTree result(std::move(points), std::move(halves));
         const double out = distance_to(reference_.tree(), result);
         const double back = distance_to(result, reference_.tree());
         report_.hausdorff = std::max(out, back);

@@ -25,14 +25,19 @@ constexpr double kRounding = 1.0 + 1e-12;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-double distance2_to_box(const Point& p, const Vector3d& low, const Vector3d& high) {
-    return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
+double distance2_to_box(const Point& p, const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
+    return (low.cast<double>() - p).cwiseMax(p - high.cast<double>()).cwiseMax(0.0).squaredNorm();
+}
+
+/// The next float below (towards −∞) or above, so that a box in floats holds what is in the box in doubles.
+Eigen::Vector3f rounded(const Vector3d& p, float towards) {
+    return p.cast<float>().unaryExpr([towards](float x) { return std::nextafter(x, towards); });
 }
 
 }  // namespace
 
-FacetTree::FacetTree(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets, std::span<const std::int32_t> patch)
-    : points_(points.begin(), points.end()), facets_(facets.begin(), facets.end()), patch_(patch.begin(), patch.end()) {
+FacetTree::FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch)
+    : points_(std::move(points)), facets_(std::move(facets)), patch_(std::move(patch)) {
     patch_.resize(facets_.size(), 0);
     Eigen::AlignedBox3d box;
     for (const auto& t : facets_) {
@@ -47,7 +52,7 @@ FacetTree::FacetTree(std::span<const Point> points, std::span<const std::array<s
 void FacetTree::find_neighbours() {
     // Edges in the order of their lower vertex, then of their facets: those of one vertex are few.
     struct Side {
-        std::int32_t high, facet, corner;
+        std::int32_t high, corner;  ///< corner: 3 · facet + place in it
     };
     std::vector<std::int32_t> first(points_.size() + 1, 0);
     const auto ends = [this](std::int32_t f, std::int32_t k) {
@@ -62,19 +67,19 @@ void FacetTree::find_neighbours() {
     for (std::int32_t f = 0; f < count(); ++f) {
         for (std::int32_t k = 0; k < 3; ++k) {
             const auto [low, high] = ends(f, k);
-            sides[at(next[at(low)]++)] = {high, f, k};
+            sides[at(next[at(low)]++)] = {high, 3 * f + k};
         }
     }
     neighbour_.assign(facets_.size(), {-1, -1, -1});
     for (std::size_t v = 0; v < points_.size(); ++v) {
         const auto begin = sides.begin() + first[v];
         const auto end = sides.begin() + first[v + 1];
-        std::sort(begin, end, [](const Side& a, const Side& b) { return std::tie(a.high, a.facet) < std::tie(b.high, b.facet); });
+        std::sort(begin, end, [](const Side& a, const Side& b) { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
         for (auto a = begin; a != end; ++a) {
             const auto b = a + 1;
             if (b == end || a->high != b->high) continue;
-            neighbour_[at(a->facet)][at(a->corner)] = b->facet;
-            neighbour_[at(b->facet)][at(b->corner)] = a->facet;
+            neighbour_[at(a->corner / 3)][at(a->corner % 3)] = b->corner / 3;
+            neighbour_[at(b->corner / 3)][at(b->corner % 3)] = a->corner / 3;
         }
     }
 }
@@ -133,8 +138,8 @@ void FacetTree::build_tree() {
                 for (const std::int32_t v : facets_[at(f)]) box.extend(points_[at(v)]);
                 if (patch_[at(f)] != node->patch) node->patch = kAnyPatch;
             }
-            node->low = box.min();
-            node->high = box.max();
+            node->low = rounded(box.min(), -std::numeric_limits<float>::infinity());
+            node->high = rounded(box.max(), std::numeric_limits<float>::infinity());
         } else {
             const Node& left = *(node - 1);
             const Node& right = nodes_[at(node->first)];

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "mesh/surface_mesh.h"
@@ -25,7 +24,7 @@ class FacetTree {
 
     FacetTree() = default;
     /// @param patch of each facet; empty: all are patch 0
-    FacetTree(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets, std::span<const std::int32_t> patch = {});
+    FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch = {});
 
     /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the answer: a
     ///        closest point of the sheet that the hint lies on. Else all facets are searched.
@@ -45,8 +44,8 @@ class FacetTree {
 
   private:
     struct Node {
-        Eigen::Vector3d low;
-        Eigen::Vector3d high;
+        Eigen::Vector3f low;  ///< rounded outwards
+        Eigen::Vector3f high;
         std::int32_t first = 0;  ///< leaf: first of its entries in order_; inner node: its right child (the left one follows it)
         std::int32_t count = 0;  ///< leaf: number of facets, 0 = inner node
         std::int32_t patch = kAnyPatch;  ///< patch of all facets below, kAnyPatch = several

@@ -21,7 +21,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 ReferenceSurface::ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
                                    std::span<const std::int32_t> facet_patch, double crease_angle)
-    : tree_(points, triangles, facet_patch) {
+    : tree_({points.begin(), points.end()}, {triangles.begin(), triangles.end()}, {facet_patch.begin(), facet_patch.end()}) {
     compute_normals(crease_angle);
 }
 
