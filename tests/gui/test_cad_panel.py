@@ -60,14 +60,16 @@ class CadPanel(TubeTest):
             self.assertGreater(len(self.field(form, name).whatsThis()), 100, name)
         self.button("Cancel").click()
 
-    def test_they_are_grey_but_for_a_part_shape(self):
+    def test_they_are_off_but_for_a_part_shape(self):
         form = self.open(self.make_quad_mesh())
+        self.assertFalse(self.field(form, "cadBox").isVisible())
         for name in ("triangulator", "ontoShape", "smoothAngle"):
             self.assertFalse(self.field(form, name).isEnabled(), name)
         self.button("Cancel").click()
         wait()
         quads = self.make()
         form = self.open(quads)
+        self.assertTrue(self.field(form, "cadBox").isVisible())
         for name in ("triangulator", "ontoShape", "smoothAngle"):
             self.assertTrue(self.field(form, name).isEnabled(), name)
         self.field(form, "ontoShape").setChecked(False)

@@ -2,7 +2,6 @@
 
 import FreeCAD
 
-from ..errors import Cancelled
 from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 
@@ -48,10 +47,10 @@ class TrianglesObject(properties.SavedByProperties):
         properties.hide(obj, "SchemaVersion")
 
     def execute(self, obj):
-        """Tessellate. Raises MeshError when there is no shape, and when Gmsh is missing, fails or is stopped by Esc."""
+        """Tessellate. Raises MeshError when there is no shape, and when Gmsh is missing or fails."""
         if obj.Triangulator == "Gmsh":
             job = self.gmsh_job(obj)
-            mesh = self._runs[job.key] if job.key in self._runs else job.run(_Esc().progress)
+            mesh = self._runs[job.key] if job.key in self._runs else job.run()
             self.keep(job, mesh)
             obj.Mesh = mesh
         else:
@@ -88,21 +87,6 @@ class TrianglesObject(properties.SavedByProperties):
             from ..viewproviders.triangles_view_provider import attach
 
             attach(obj)
-
-
-class _Esc:
-    """FreeCAD's own progress bar, of which Esc ends the run: for a recompute, which stops the window."""
-
-    def __init__(self):
-        self._bar = FreeCAD.Base.ProgressIndicator()
-        self._bar.start("Gmsh", 0)
-
-    def progress(self, stage, fraction):
-        try:
-            self._bar.next(True)
-        except Exception as error:  # FreeCAD's own, which is none of Python's by name
-            raise Cancelled("Meshing was cancelled.", code="cancelled") from error
-        return True
 
 
 def _by_opencascade(obj):

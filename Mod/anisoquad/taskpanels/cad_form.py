@@ -6,7 +6,7 @@ from ..objects.triangles_object import TRIANGULATORS, is_triangles
 
 
 class CadForm:
-    """Triangulator of the base, nodes onto the shape, faces that are joined; grey where the base is not that of a Part shape."""
+    """Triangulator of the base, nodes onto the shape, faces that are joined; off, and hidden, where the base is not that of a Part shape."""
 
     def __init__(self, form, obj):
         self._form = form
@@ -20,6 +20,7 @@ class CadForm:
         """Show what goes with this mesh object, or None."""
         shape = is_triangles(base)
         self._form.cadBox.setEnabled(shape)
+        self._form.cadBox.setVisible(shape)
         self._form.triangulator.setCurrentIndex(TRIANGULATORS.index(base.Triangulator) if shape else 0)
         self._enable()
 
