@@ -37,10 +37,12 @@ Mesh.MeshSizeFromCurvature = {per_turn!r};
 If (GMSH_MAJOR_VERSION == 4 && GMSH_MINOR_VERSION < 9)
   Mesh.MinimumElementsPerTwoPi = {per_turn!r};
 EndIf
-Merge "{shape}";
+{reading}Merge "{shape}";
 Mesh 2;
 Save "{mesh}";
 """
+
+_SEW = "Geometry.OCCSewFaces = 1;\nGeometry.Tolerance = 1e-4;\n"  # the faces of an IGES file know nothing of each other
 
 
 def has_gmsh():
@@ -68,7 +70,8 @@ def triangulate(path, size=0.0, angle=30.0, smallest=0.0, progress=None):
         except OSError as error:
             raise MeshError(f"{path}: {error.strerror}", code="unreadable_file") from None
         per_turn = 360.0 / angle if angle > 0.0 else 0.0
-        script = _SCRIPT.format(smallest=float(smallest), largest=float(size) or 1e22, per_turn=per_turn, shape=shape.name, mesh="mesh.msh")
+        script = _SCRIPT.format(smallest=float(smallest), largest=float(size) or 1e22, per_turn=per_turn,
+                                shape=shape.name, mesh="mesh.msh", reading=_SEW if shape.suffix in (".iges", ".igs") else "")
         (folder / "script.geo").write_text(script, encoding="ascii")
         output = _run([program, "script.geo", "-0", "-v", "4", "-nt", "1"], folder, progress)
         mesh = folder / "mesh.msh"

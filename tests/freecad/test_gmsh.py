@@ -7,11 +7,13 @@ import unittest
 from unittest import mock
 
 import FreeCAD
+import Part
 from documents import DocumentTest
 from shapes import largest_distance, leading_edge, loft_wing
 
 import anisoquad
-from anisoquad.gmsh import has_gmsh
+from anisoquad.cad import CadShape, CadSurface
+from anisoquad.gmsh import has_gmsh, triangulate
 
 
 class GmshTest(DocumentTest):
@@ -65,6 +67,21 @@ class ByGmsh(GmshTest):
         """The shortest edge of a facet."""
         corners = [FreeCAD.Vector(*point) for point in facet.Points]
         return min((a - b for a, b in zip(corners, corners[1:] + corners[:1])), key=lambda edge: edge.Length)
+
+    def test_files_in_other_units(self):
+        shape = loft_wing(self.doc).Shape
+        self.addCleanup(Part.exportUnits, "MM")
+        with tempfile.TemporaryDirectory() as folder:
+            for unit, suffix in (("MM", "iges"), ("M", "step"), ("INCH", "igs")):
+                with self.subTest(suffix):
+                    Part.exportUnits(unit)
+                    path = os.path.join(folder, f"wing.{suffix}")
+                    (shape.exportStep if suffix == "step" else shape.exportIges)(path)
+                    points, triangles = triangulate(path, size=60.0)
+                    surface = CadSurface(CadShape.from_file(path), points, triangles)
+                    mesh = anisoquad.quad_mesh(points, triangles, surface=surface)
+                    self.assertTrue(mesh.valid)
+                    self.assertLess(max(shape.distToShape(Part.Vertex(*point))[0] for point in mesh.points[::20]), 1e-4)
 
     def test_a_moved_part_saved_and_opened(self):
         tube = self.cylinder()
