@@ -630,6 +630,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Wo die Dreiecke die einer Part-Form sind, können die Vierecke auf der Form selbst liegen: Ihre Flächen sind die Flächenstücke, ihre Kanten die Linien des Netzes. Gmsh, wo es installiert ist, macht gut geformte Dreiecke in der Größe, die die Optionen verlangen, und so fein, wie es die Krümmung braucht; OpenCASCADE macht so wenige, wie die Form zeigen, die dann neu zerlegt werden.</translation>
   </message>
   <message>
+   <source>{quads} quads from {triangles} triangles</source>
+   <translation>{quads} Vierecke aus {triangles} Dreiecken</translation>
+  </message>
+  <message>
    <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
    <translation>{quads} Vierecke aus {triangles} Dreiecken ({reduction:.1f} % weniger Elemente)</translation>
   </message>

@@ -630,6 +630,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Si los triángulos son los de una forma Part, los cuadriláteros pueden estar sobre la forma misma: sus caras son los trozos, sus aristas las líneas de la malla. Gmsh, si está instalado, hace triángulos de buena forma del tamaño que piden las opciones y de una finura que sigue la curvatura; OpenCASCADE hace tan pocos como bastan para mostrar la forma, que después se mallan de nuevo.</translation>
   </message>
   <message>
+   <source>{quads} quads from {triangles} triangles</source>
+   <translation>{quads} cuadriláteros a partir de {triangles} triángulos</translation>
+  </message>
+  <message>
    <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
    <translation>{quads} cuadriláteros de {triangles} triángulos ({reduction:.1f} % menos elementos)</translation>
   </message>

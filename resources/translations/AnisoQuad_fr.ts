@@ -630,6 +630,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>Si les triangles sont ceux d’une forme Part, les quadrangles peuvent être sur la forme même : ses faces sont les morceaux, ses arêtes les lignes du maillage. Gmsh, s’il est installé, fait des triangles bien formés de la taille que demandent les options, d’une finesse qui suit la courbure ; OpenCASCADE en fait aussi peu qu’il en faut pour montrer la forme, et ils sont ensuite remaillés.</translation>
   </message>
   <message>
+   <source>{quads} quads from {triangles} triangles</source>
+   <translation>{quads} quadrangles à partir de {triangles} triangles</translation>
+  </message>
+  <message>
    <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
    <translation>{quads} quadrangles à partir de {triangles} triangles ({reduction:.1f} % d’éléments en moins)</translation>
   </message>

@@ -200,6 +200,7 @@ class QuadMeshPanel:
         self._close_when_done = False
         self.form.preview.setChecked(False)
         self.form.progress.setValue(0)
+        self.form.progress.setFormat("%p %")
         if isinstance(error, Cancelled):
             self.form.figures.setText(translate("QuadMeshPanel", "Stopped. The old mesh was kept."))
             return
