@@ -8,7 +8,7 @@ CMAKE_FLAGS ?=
 PACKAGES = g++ cmake libeigen3-dev libtbb-dev pybind11-dev libgtest-dev libbenchmark-dev \
            libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev \
            python3 python3-dev python3-numpy python3-meshio python3-matplotlib python3-pivy freecad freecad-python3 \
-           xvfb xauth libgl1-mesa-dri calculix-ccx qttools5-dev-tools
+           xvfb xauth libgl1-mesa-dri calculix-ccx gmsh qttools5-dev-tools
 # Of the fuzz target only.
 FUZZ_PACKAGES = clang libclang-rt-14-dev
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
@@ -109,7 +109,6 @@ bench: deps build
 # Against Gmsh on the same triangles, at SIZES of them: Gmsh may take long.
 SIZES ?= 10000 100000
 bench-gmsh: deps build
-	$(call install,gmsh)
 	PYTHONPATH=Mod $(PYTHON) tests/benchmark/against_gmsh.py --sizes $(SIZES)
 
 format:

@@ -5,7 +5,7 @@ import json
 import sys
 from pathlib import Path
 
-from . import __version__, cad
+from . import __version__, cad, gmsh
 from .errors import MeshError
 from .io import read_triangles, writable, write_mesh
 from .meshing import Options, quad_mesh
@@ -29,8 +29,8 @@ def main(arguments=None):
         if Path(given.input).suffix.lower() in cad.FILES:
             mesh = _mesh_shape(given, options)
         else:
-            if given.source_edges or given.smooth_angle or given.deflection:
-                raise MeshError("--source-edges, --smooth-angle and --deflection need a CAD file")
+            if given.source_edges or given.smooth_angle or given.deflection or given.triangulator:
+                raise MeshError("--source-edges, --smooth-angle, --deflection and --triangulator need a CAD file")
             points, triangles = read_triangles(given.input)
             mesh = quad_mesh(points, triangles, _read_sources(given), options)
         write_mesh(given.output, mesh)
@@ -58,6 +58,8 @@ def _make_parser():
                         help="of a CAD file: faces whose normals differ by less where they meet are one patch (default: each is one)")
     parser.add_argument("--deflection", metavar="X", type=float, default=0.0,
                         help="of a CAD file: of the triangles that are remeshed, off the shape (default: 2e-4 of its diagonal)")
+    parser.add_argument("--triangulator", choices=("opencascade", "gmsh"),
+                        help="of a CAD file: what makes the triangles; gmsh, where it is installed, takes --size and --curvature-angle (default: opencascade)")
     passes = parser.add_mutually_exclusive_group()
     passes.add_argument("--passes", metavar="R[:ROWS],...", help="merge ratio of each pass, e.g. 4,2,2")
     passes.add_argument("--anisotropy", metavar="N", type=int, help="maximum anisotropy instead of passes")
@@ -83,7 +85,7 @@ def _make_options(given):
 def _mesh_shape(given, options):
     """The QuadMesh of a CAD file, its nodes on the shape."""
     shape = cad.CadShape.from_file(given.input)
-    points, triangles = shape.triangulate(given.deflection)
+    points, triangles = _triangulate(shape, given, options)
     surface = cad.CadSurface(shape, points, triangles, join_smooth=given.smooth_angle)
     sources = _read_sources(given)
     for text in given.source_edges or []:
@@ -92,6 +94,14 @@ def _mesh_shape(given, options):
             edges = shape.tangent_chain(edges[0])
         sources.append(Source(surface.path(edges), passes=given.passes, anisotropy=given.anisotropy))
     return quad_mesh(points, triangles, sources, options, surface=surface)
+
+
+def _triangulate(shape, given, options):
+    if given.triangulator != "gmsh":
+        return shape.triangulate(given.deflection)
+    if given.deflection:
+        raise MeshError("--deflection is for --triangulator opencascade")
+    return gmsh.triangulate(given.input, size=options.size, angle=options.curvature_angle, smallest=gmsh.SMALLEST * shape.diagonal)
 
 
 def _read_sources(given):

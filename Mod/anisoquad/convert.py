@@ -42,6 +42,23 @@ def mesh_content(mesh):
     return points, facets[:, :3].astype(np.int32), signature
 
 
+def mesh_of(points, triangles):
+    """A Mesh.Mesh of points (N,3) and triangles (M,3)."""
+    import Mesh
+
+    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
+              f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
+    faces = np.empty(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
+    faces["count"], faces["corners"] = 3, triangles
+    handle, path = tempfile.mkstemp(suffix=".ply")
+    try:
+        with open(handle, "wb") as file:
+            file.write(header.encode() + np.asarray(points, "<f4").tobytes() + faces.tobytes())
+        return Mesh.Mesh(path)
+    finally:
+        os.unlink(path)
+
+
 def moved(points, placement):
     """Points (N,3) moved by a placement."""
     if placement.isIdentity():

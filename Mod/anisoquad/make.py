@@ -3,15 +3,16 @@
 from .compat import is_shape
 from .errors import MeshError
 from .io import write_mesh
+from .meshing import Options
 from .objects.option_properties import set_options
 from .objects.quad_mesh_object import QuadMeshObject, result_of, second_order_of
 from .objects.source_object import SourceObject, is_source
-from .objects.triangles_object import TrianglesObject, triangles_of
+from .objects.triangles_object import TRIANGULATORS, TrianglesObject, triangles_of
 from .source import Source, format_passes, parse_passes
 
 
 def make_quad_mesh(doc, base=None, sources=(), passes=None, anisotropy=None, options=None, element_order=1, smooth_angle=0.0,
-                   name="QuadMesh"):
+                   triangulator=None, name="QuadMesh"):
     """Add a quad mesh object to a document; it is filled at the next doc.recompute().
 
     base          -- the Mesh::Feature to mesh, or a Part object: it is triangulated (make_triangles, found again where it has been),
@@ -23,12 +24,20 @@ def make_quad_mesh(doc, base=None, sources=(), passes=None, anisotropy=None, opt
     options       -- anisoquad.Options, kept as properties of the object
     element_order -- 1, or 2 for quads of eight nodes
     smooth_angle  -- degrees; faces of a Part object whose normals differ by less where they meet are one patch
+    triangulator  -- of a Part object: "OpenCASCADE", or "Gmsh", which takes the size and curvature angle of the options; None: as
+                     the triangles have it, OpenCASCADE where there are none yet
     Returns the Fem::FemMeshObjectPython. Raises MeshError when sources or passes can not be read.
     """
     how = _how(passes, anisotropy)
+    if triangulator is not None:
+        _check_triangulator(triangulator)
+        if base is None or not is_shape(base):
+            raise MeshError("The triangulator is that of a Part object, which the base is not.", code="invalid_option")
     sources = [_read_source(doc, base, source) for source in sources]
     if base is not None and is_shape(base):
         base = triangles_of(base) or make_triangles(doc, base, name=f"{base.Name}Triangles")
+        if triangulator is not None:
+            _set_triangulator(base, triangulator, options or Options())
     obj = doc.addObject("Fem::FemMeshObjectPython", name)
     QuadMeshObject(obj)
     obj.Base = base
@@ -66,18 +75,25 @@ def make_source(doc, base, vertices=(), edges=None, passes=None, anisotropy=None
     return obj
 
 
-def make_triangles(doc, shape, deflection=0.0, max_length=0.0, name="Triangles"):
+def make_triangles(doc, shape, deflection=0.0, max_length=0.0, triangulator="OpenCASCADE", size=0.0, curvature_angle=30.0, name="Triangles"):
     """Add the tessellation of a Part object to a document, as the base of a quad mesh.
 
     deflection -- largest distance of the triangles from the shape; 0: a five-thousandth of the shape's diagonal
     max_length -- instead: triangles of good shape with edges up to this length, by Mefisto
-    Returns the Mesh::FeaturePython.
+    triangulator -- "OpenCASCADE", or "Gmsh", for which the next two are
+    size            -- largest edge length; 0: a tenth of the shape's diagonal
+    curvature_angle -- degrees that one edge may turn along the surface; 0: any
+    Returns the Mesh::FeaturePython. Raises MeshError for another triangulator.
     """
+    _check_triangulator(triangulator)
     obj = doc.addObject("Mesh::FeaturePython", name)
     TrianglesObject(obj)
     obj.Shape = shape
     obj.Deflection = deflection
     obj.MaxLength = max_length
+    obj.Triangulator = triangulator
+    obj.Size = size
+    obj.CurvatureAngle = curvature_angle
     return obj
 
 
@@ -96,6 +112,17 @@ def _how(passes, anisotropy):
     if anisotropy is not None:
         return {"Anisotropy": anisotropy}
     return {"Passes": format_passes(parse_passes(passes))} if passes else {}
+
+
+def _check_triangulator(name):
+    if name not in TRIANGULATORS:
+        raise MeshError(f"The triangulator is {' or '.join(TRIANGULATORS)}, not {name!r}.", code="invalid_option")
+
+
+def _set_triangulator(triangles, name, options):
+    triangles.Triangulator = name
+    if name == "Gmsh":
+        triangles.Size, triangles.CurvatureAngle = options.size, options.curvature_angle
 
 
 def _read_source(doc, base, source):

@@ -3,9 +3,10 @@
 
 def quality_table(report):
     """A few lines: counts, rows per pass, quality, warnings."""
+    reduction = report["reduction_percent"]
     lines = [
         f"triangles in        {report['triangles_in']:>9}",
-        f"quads               {report['quads']:>9}   ({report['reduction_percent']:.1f} % fewer elements)",
+        f"quads               {report['quads']:>9}" + (f"   ({reduction:.1f} % fewer elements)" if reduction > 0.0 else ""),
         f"nodes               {report['nodes']:>9}",
         f"triangles left      {report['triangles_left']:>9}",
         f"inverted            {report['inverted']:>9}",

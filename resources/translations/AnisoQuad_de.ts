@@ -170,6 +170,205 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   </message>
  </context>
  <context>
+  <name>App::Property</name>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight</source>
+   <translation>1.: vier Knoten je Viereck; 2.: acht</translation>
+  </message>
+  <message>
+   <source>All figures of the run, as JSON</source>
+   <translation>Alle Zahlen des Laufs, als JSON</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge may turn along the surface where patches are remeshed; 0: any</source>
+   <translation>Grad, um die sich eine Kante längs der Fläche drehen darf, wo Flächen neu zerlegt werden; 0: beliebig</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge of Gmsh's triangles may turn along the surface; 0: any</source>
+   <translation>Grad, um die sich eine Kante der Dreiecke von Gmsh längs der Fläche drehen darf; 0: beliebig</translation>
+  </message>
+  <message>
+   <source>Degrees; edges whose facets turn by more are feature lines</source>
+   <translation>Grad; Kanten, an denen sich die Dreiecke um mehr drehen, sind Merkmalslinien</translation>
+  </message>
+  <message>
+   <source>Edges of a Part object instead: the mesh edges on them are the line</source>
+   <translation>Stattdessen Kanten eines Part-Objekts: Die Netzkanten auf ihnen sind die Linie</translation>
+  </message>
+  <message>
+   <source>Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one</source>
+   <translation>Flächen des Part-Objekts, deren Normalen sich weniger unterscheiden, wo sie aneinanderstoßen, sind ein Flächenstück; 0: jede ist eines</translation>
+  </message>
+  <message>
+   <source>Further feature edges, as pairs of input vertex ids</source>
+   <translation>Weitere Merkmalskanten, als Paare von Punktnummern der Eingabe</translation>
+  </message>
+  <message>
+   <source>Largest angle between the normals of neighbours, by OpenCASCADE</source>
+   <translation>Größter Winkel zwischen den Normalen von Nachbarn, bei OpenCASCADE</translation>
+  </message>
+  <message>
+   <source>Largest distance between the mesh and the base mesh</source>
+   <translation>Größter Abstand zwischen dem Netz und dem Ausgangsnetz</translation>
+  </message>
+  <message>
+   <source>Largest distance of OpenCASCADE's triangles from the shape; 0: a five-thousandth of its diagonal</source>
+   <translation>Größter Abstand der Dreiecke von OpenCASCADE von der Form; 0: ein Fünftausendstel ihrer Diagonale</translation>
+  </message>
+  <message>
+   <source>Largest edge of Gmsh's triangles; 0: a tenth of the shape's diagonal</source>
+   <translation>Längste Kante der Dreiecke von Gmsh; 0: ein Zehntel der Diagonale der Form</translation>
+  </message>
+  <message>
+   <source>Largest edge of well-shaped triangles by OpenCASCADE (Mefisto) instead; 0: as large as deflection and angle allow</source>
+   <translation>Stattdessen längste Kante gut geformter Dreiecke von OpenCASCADE (Mefisto); 0: so groß, wie Abstand und Winkel erlauben</translation>
+  </message>
+  <message>
+   <source>Length of the line</source>
+   <translation>Länge der Linie</translation>
+  </message>
+  <message>
+   <source>Limit between the sizes of neighbouring elements where patches are remeshed</source>
+   <translation>Grenze zwischen den Größen benachbarter Elemente, wo Flächen neu zerlegt werden</translation>
+  </message>
+  <message>
+   <source>Limit of sweeps of the final smoothing</source>
+   <translation>Grenze der Durchgänge der letzten Glättung</translation>
+  </message>
+  <message>
+   <source>Limit of the height of a row over that of the row before</source>
+   <translation>Grenze der Höhe einer Reihe gegenüber der vorigen</translation>
+  </message>
+  <message>
+   <source>Lines along which anisotropic rows are built</source>
+   <translation>Linien, an denen anisotrope Reihen entstehen</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy, used where no passes are given; 1: a feature line without rows</source>
+   <translation>Größte Anisotropie, wenn keine Durchgänge angegeben sind; 1: eine Merkmalslinie ohne Reihen</translation>
+  </message>
+  <message>
+   <source>Mean scaled Jacobian</source>
+   <translation>Mittlere skalierte Jacobi-Determinante</translation>
+  </message>
+  <message>
+   <source>Mend bad input instead of rejecting it; the report says what was changed</source>
+   <translation>Schlechte Eingabe ausbessern statt sie abzulehnen; der Bericht sagt, was geändert wurde</translation>
+  </message>
+  <message>
+   <source>Merge ratio of each pass, with rows or not: 4:6, 2, 2</source>
+   <translation>Verschmelzungsverhältnis jedes Durchgangs, mit oder ohne Zahl der Reihen: 4:6, 2, 2</translation>
+  </message>
+  <message>
+   <source>Number of corner nodes</source>
+   <translation>Zahl der Eckknoten</translation>
+  </message>
+  <message>
+   <source>Number of mesh edges</source>
+   <translation>Zahl der Netzkanten</translation>
+  </message>
+  <message>
+   <source>Number of quads</source>
+   <translation>Zahl der Vierecke</translation>
+  </message>
+  <message>
+   <source>Number of triangles of the base mesh</source>
+   <translation>Zahl der Dreiecke des Ausgangsnetzes</translation>
+  </message>
+  <message>
+   <source>OpenCASCADE: as few triangles as Deflection and Angle allow; Gmsh: triangles of good shape, by Size and Curvature Angle</source>
+   <translation>OpenCASCADE: so wenige Dreiecke, wie Deflection und Angle erlauben; Gmsh: gut geformte Dreiecke nach Size und Curvature Angle</translation>
+  </message>
+  <message>
+   <source>Percent of elements saved</source>
+   <translation>Prozent gesparter Elemente</translation>
+  </message>
+  <message>
+   <source>Percent of interior nodes with four edges</source>
+   <translation>Prozent der inneren Knoten mit vier Kanten</translation>
+  </message>
+  <message>
+   <source>Point ids of the base mesh; closed when the first is also the last</source>
+   <translation>Punktnummern des Ausgangsnetzes; geschlossen, wenn der erste auch der letzte ist</translation>
+  </message>
+  <message>
+   <source>Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded</source>
+   <translation>Flächen zuerst neu in Dreiecke zerlegen, deren Dreiecke keine Vierecke tragen können: zu lang und schmal, oder zu schnell wechselnd</translation>
+  </message>
+  <message>
+   <source>Row, pass, source, patch of the quads; lines</source>
+   <translation>Reihe, Durchgang, Quelle, Flächenstück der Vierecke; Linien</translation>
+  </message>
+  <message>
+   <source>Rows of each pass, and why they stopped</source>
+   <translation>Reihen jedes Durchgangs, und warum sie enden</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian of the worst quad</source>
+   <translation>Skalierte Jacobi-Determinante des schlechtesten Vierecks</translation>
+  </message>
+  <message>
+   <source>Sides of the line, seen along it with the surface's normal up, that get rows</source>
+   <translation>Seiten der Linie, längs gesehen mit der Flächennormale nach oben, die Reihen bekommen</translation>
+  </message>
+  <message>
+   <source>Straighten a line that zigzags over the triangles before rows start</source>
+   <translation>Eine Linie, die im Zickzack über die Dreiecke läuft, vor den Reihen gerade machen</translation>
+  </message>
+  <message>
+   <source>The Part object</source>
+   <translation>Das Part-Objekt</translation>
+  </message>
+  <message>
+   <source>The Part object on which the mesh lies, where FEM looks for it</source>
+   <translation>Das Part-Objekt, auf dem das Netz liegt, dort, wo FEM danach sucht</translation>
+  </message>
+  <message>
+   <source>The base mesh of the last run</source>
+   <translation>Das Ausgangsnetz des letzten Laufs</translation>
+  </message>
+  <message>
+   <source>The line runs against its first edge: left and right change</source>
+   <translation>Die Linie läuft ihrer ersten Kante entgegen: Links und rechts sind vertauscht</translation>
+  </message>
+  <message>
+   <source>The line's points in the world</source>
+   <translation>Die Punkte der Linie im Raum</translation>
+  </message>
+  <message>
+   <source>The triangle mesh</source>
+   <translation>Das Dreiecknetz</translation>
+  </message>
+  <message>
+   <source>The triangle mesh on which the line lies</source>
+   <translation>Das Dreiecknetz, auf dem die Linie liegt</translation>
+  </message>
+  <message>
+   <source>Topological clean-up after the fill</source>
+   <translation>Topologisches Aufräumen nach dem Füllen</translation>
+  </message>
+  <message>
+   <source>Version of these properties</source>
+   <translation>Version dieser Eigenschaften</translation>
+  </message>
+  <message>
+   <source>Wanted edge length of the quads; remeshes all patches. 0: that of the triangles</source>
+   <translation>Gewünschte Kantenlänge der Vierecke; alle Flächen werden neu zerlegt. 0: die der Dreiecke</translation>
+  </message>
+  <message>
+   <source>Wanted edge lengths, one per input vertex, instead of size</source>
+   <translation>Gewünschte Kantenlängen, eine je Punkt der Eingabe, statt der Größe</translation>
+  </message>
+  <message>
+   <source>What the mesher warns of</source>
+   <translation>Wovor der Vernetzer warnt</translation>
+  </message>
+  <message>
+   <source>Where the base is the tessellation of a Part object: patches are its faces, and nodes lie exactly on it</source>
+   <translation>Wo die Dreiecke die eines Part-Objekts sind: Flächenstücke sind seine Flächen, und Knoten liegen genau auf ihm</translation>
+  </message>
+ </context>
+ <context>
   <name>Options</name>
   <message>
    <source>Cleanup</source>
@@ -287,6 +486,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Anisotropiequellen</translation>
   </message>
   <message>
+   <source>CAD shape</source>
+   <translation>CAD-Form</translation>
+  </message>
+  <message>
    <source>Change the selected source</source>
    <translation>Die gewählte Quelle ändern</translation>
   </message>
@@ -311,6 +514,14 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Elementordnung</translation>
   </message>
   <message>
+   <source>Faces of the shape that go on into each other smoothly, as a fillet and what it rounds, can be one patch, over which quads flow without a line between. Give the degrees by which their normals may differ where they meet, for instance 5. With 0 each face is a patch.</source>
+   <translation>Flächen der Form, die glatt ineinander übergehen, wie eine Verrundung und was sie rundet, können ein Flächenstück sein, über das Vierecke ohne Linie dazwischen laufen. Anzugeben sind die Grad, um die sich ihre Normalen unterscheiden dürfen, wo sie aneinanderstoßen, zum Beispiel 5. Bei 0 ist jede Fläche ein Flächenstück.</translation>
+  </message>
+  <message>
+   <source>Faces whose normals differ by less where they meet are one patch; 0: each is one</source>
+   <translation>Flächen, deren Normalen sich weniger unterscheiden, wo sie aneinanderstoßen, sind ein Flächenstück; 0: jede ist eines</translation>
+  </message>
+  <message>
    <source>Length</source>
    <translation>Länge</translation>
   </message>
@@ -323,12 +534,28 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Vernetzen…</translation>
   </message>
   <message>
+   <source>On: the patches of the mesh are the faces of the Part shape, its lines are their edges, and all nodes lie exactly on it. Off: only the triangles count, and lines are where they bend.</source>
+   <translation>An: Die Flächenstücke des Netzes sind die Flächen der Part-Form, seine Linien deren Kanten, und alle Knoten liegen genau auf ihr. Aus: Nur die Dreiecke zählen, und Linien sind, wo sie knicken.</translation>
+  </message>
+  <message>
+   <source>Onto shape</source>
+   <translation>Auf die Form</translation>
+  </message>
+  <message>
+   <source>OpenCASCADE makes as few triangles as show the shape; they are remeshed before they become quads. Gmsh is a program of its own, on Debian the package gmsh: its triangles have a good shape, the size that is asked for in the options, and are finer where the surface turns, as at a leading edge. They are made anew at the next Apply; Stop ends Gmsh.</source>
+   <translation>OpenCASCADE macht so wenige Dreiecke, wie die Form zeigen; sie werden neu zerlegt, bevor sie Vierecke werden. Gmsh ist ein eigenes Programm, bei Debian das Paket gmsh: Seine Dreiecke sind gut geformt, haben die Größe, die in den Optionen verlangt ist, und sind feiner, wo sich die Fläche dreht, wie an einer Vorderkante. Sie entstehen beim nächsten Anwenden neu; Anhalten beendet Gmsh.</translation>
+  </message>
+  <message>
    <source>Options</source>
    <translation>Optionen</translation>
   </message>
   <message>
    <source>Passes or 1:n</source>
    <translation>Durchgänge oder 1:n</translation>
+  </message>
+  <message>
+   <source>Patches are the faces of the shape, and all nodes lie exactly on it</source>
+   <translation>Flächenstücke sind die Flächen der Form, und alle Knoten liegen genau auf ihr</translation>
   </message>
   <message>
    <source>Pick a new line in the view</source>
@@ -353,6 +580,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   <message>
    <source>Sides</source>
    <translation>Seiten</translation>
+  </message>
+  <message>
+   <source>Smooth angle</source>
+   <translation>Glatt bis</translation>
   </message>
   <message>
    <source>Source</source>
@@ -383,12 +614,32 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Dreiecke</translation>
   </message>
   <message>
+   <source>Triangulator</source>
+   <translation>Dreiecke von</translation>
+  </message>
+  <message>
    <source>Warning: {}</source>
    <translation>Warnung: {}</translation>
   </message>
   <message>
+   <source>What makes the triangles of the shape; Gmsh takes size and curvature angle of the options</source>
+   <translation>Was die Dreiecke der Form macht; Gmsh nimmt Größe und Krümmungswinkel der Optionen</translation>
+  </message>
+  <message>
+   <source>Where the triangles are those of a Part shape, the quads can lie on the shape itself: its faces are the patches, its edges the lines of the mesh. Gmsh, where it is installed, makes triangles of good shape in the size that the options ask for, and of a fineness that follows the curvature; OpenCASCADE makes as few as show the shape, which are then remeshed.</source>
+   <translation>Wo die Dreiecke die einer Part-Form sind, können die Vierecke auf der Form selbst liegen: Ihre Flächen sind die Flächenstücke, ihre Kanten die Linien des Netzes. Gmsh, wo es installiert ist, macht gut geformte Dreiecke in der Größe, die die Optionen verlangen, und so fein, wie es die Krümmung braucht; OpenCASCADE macht so wenige, wie die Form zeigen, die dann neu zerlegt werden.</translation>
+  </message>
+  <message>
+   <source>{quads} quads from {triangles} triangles</source>
+   <translation>{quads} Vierecke aus {triangles} Dreiecken</translation>
+  </message>
+  <message>
    <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
    <translation>{quads} Vierecke aus {triangles} Dreiecken ({reduction:.1f} % weniger Elemente)</translation>
+  </message>
+  <message>
+   <source>°</source>
+   <translation>°</translation>
   </message>
  </context>
  <context>
@@ -539,6 +790,53 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   <message>
    <source>right</source>
    <translation>rechts</translation>
+  </message>
+ </context>
+ <context>
+  <name>Stages</name>
+  <message>
+   <source>Building rows</source>
+   <translation>Reihen bauen</translation>
+  </message>
+  <message>
+   <source>Checking</source>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <source>Cleaning up</source>
+   <translation>Aufräumen</translation>
+  </message>
+  <message>
+   <source>Evening out patches</source>
+   <translation>Flächen ausgleichen</translation>
+  </message>
+  <message>
+   <source>Filling with quads</source>
+   <translation>Mit Vierecken füllen</translation>
+  </message>
+  <message>
+   <source>Finding features</source>
+   <translation>Merkmale suchen</translation>
+  </message>
+  <message>
+   <source>Measuring</source>
+   <translation>Messen</translation>
+  </message>
+  <message>
+   <source>Preparing triangles</source>
+   <translation>Dreiecke vorbereiten</translation>
+  </message>
+  <message>
+   <source>Repairing</source>
+   <translation>Ausbessern</translation>
+  </message>
+  <message>
+   <source>Smoothing</source>
+   <translation>Glätten</translation>
+  </message>
+  <message>
+   <source>Triangulating</source>
+   <translation>In Dreiecke zerlegen</translation>
   </message>
  </context>
  <context>

@@ -170,6 +170,205 @@ con las fuentes que se le añadieron antes</translation>
   </message>
  </context>
  <context>
+  <name>App::Property</name>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight</source>
+   <translation>1.º: cuatro nodos por cuadrilátero; 2.º: ocho</translation>
+  </message>
+  <message>
+   <source>All figures of the run, as JSON</source>
+   <translation>Todas las cifras del cálculo, como JSON</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge may turn along the surface where patches are remeshed; 0: any</source>
+   <translation>Grados que puede girar una arista a lo largo de la superficie donde se mallan caras de nuevo; 0: cualquiera</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge of Gmsh's triangles may turn along the surface; 0: any</source>
+   <translation>Grados que puede girar una arista de los triángulos de Gmsh a lo largo de la superficie; 0: cualquiera</translation>
+  </message>
+  <message>
+   <source>Degrees; edges whose facets turn by more are feature lines</source>
+   <translation>Grados; las aristas en que los triángulos giran más son líneas características</translation>
+  </message>
+  <message>
+   <source>Edges of a Part object instead: the mesh edges on them are the line</source>
+   <translation>O aristas de un objeto Part: las aristas de la malla sobre ellas son la línea</translation>
+  </message>
+  <message>
+   <source>Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one</source>
+   <translation>Las caras del objeto Part cuyas normales difieren menos donde se juntan son un solo trozo; 0: cada una es uno</translation>
+  </message>
+  <message>
+   <source>Further feature edges, as pairs of input vertex ids</source>
+   <translation>Otras aristas características, como pares de números de puntos de entrada</translation>
+  </message>
+  <message>
+   <source>Largest angle between the normals of neighbours, by OpenCASCADE</source>
+   <translation>Mayor ángulo entre las normales de vecinos, con OpenCASCADE</translation>
+  </message>
+  <message>
+   <source>Largest distance between the mesh and the base mesh</source>
+   <translation>Mayor distancia entre la malla y la malla de base</translation>
+  </message>
+  <message>
+   <source>Largest distance of OpenCASCADE's triangles from the shape; 0: a five-thousandth of its diagonal</source>
+   <translation>Mayor distancia de los triángulos de OpenCASCADE a la forma; 0: una cinco milésima parte de su diagonal</translation>
+  </message>
+  <message>
+   <source>Largest edge of Gmsh's triangles; 0: a tenth of the shape's diagonal</source>
+   <translation>Arista más larga de los triángulos de Gmsh; 0: una décima parte de la diagonal de la forma</translation>
+  </message>
+  <message>
+   <source>Largest edge of well-shaped triangles by OpenCASCADE (Mefisto) instead; 0: as large as deflection and angle allow</source>
+   <translation>O arista más larga de triángulos de buena forma con OpenCASCADE (Mefisto); 0: tan grande como permitan la desviación y el ángulo</translation>
+  </message>
+  <message>
+   <source>Length of the line</source>
+   <translation>Longitud de la línea</translation>
+  </message>
+  <message>
+   <source>Limit between the sizes of neighbouring elements where patches are remeshed</source>
+   <translation>Límite entre los tamaños de elementos vecinos donde se mallan caras de nuevo</translation>
+  </message>
+  <message>
+   <source>Limit of sweeps of the final smoothing</source>
+   <translation>Límite de pasadas del suavizado final</translation>
+  </message>
+  <message>
+   <source>Limit of the height of a row over that of the row before</source>
+   <translation>Límite de la altura de una fila respecto a la anterior</translation>
+  </message>
+  <message>
+   <source>Lines along which anisotropic rows are built</source>
+   <translation>Líneas a lo largo de las cuales se construyen filas anisótropas</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy, used where no passes are given; 1: a feature line without rows</source>
+   <translation>Anisotropía máxima, si no se dan pasadas; 1: línea característica sin filas</translation>
+  </message>
+  <message>
+   <source>Mean scaled Jacobian</source>
+   <translation>Jacobiano escalado medio</translation>
+  </message>
+  <message>
+   <source>Mend bad input instead of rejecting it; the report says what was changed</source>
+   <translation>Reparar una entrada mala en vez de rechazarla; el informe dice qué se cambió</translation>
+  </message>
+  <message>
+   <source>Merge ratio of each pass, with rows or not: 4:6, 2, 2</source>
+   <translation>Relación de fusión de cada pasada, con su número de filas o sin él: 4:6, 2, 2</translation>
+  </message>
+  <message>
+   <source>Number of corner nodes</source>
+   <translation>Número de nodos de esquina</translation>
+  </message>
+  <message>
+   <source>Number of mesh edges</source>
+   <translation>Número de aristas de la malla</translation>
+  </message>
+  <message>
+   <source>Number of quads</source>
+   <translation>Número de cuadriláteros</translation>
+  </message>
+  <message>
+   <source>Number of triangles of the base mesh</source>
+   <translation>Número de triángulos de la malla de base</translation>
+  </message>
+  <message>
+   <source>OpenCASCADE: as few triangles as Deflection and Angle allow; Gmsh: triangles of good shape, by Size and Curvature Angle</source>
+   <translation>OpenCASCADE: tan pocos triángulos como permitan Deflection y Angle; Gmsh: triángulos de buena forma según Size y Curvature Angle</translation>
+  </message>
+  <message>
+   <source>Percent of elements saved</source>
+   <translation>Porcentaje de elementos ahorrados</translation>
+  </message>
+  <message>
+   <source>Percent of interior nodes with four edges</source>
+   <translation>Porcentaje de nodos interiores con cuatro aristas</translation>
+  </message>
+  <message>
+   <source>Point ids of the base mesh; closed when the first is also the last</source>
+   <translation>Números de puntos de la malla de base; cerrada cuando el primero es también el último</translation>
+  </message>
+  <message>
+   <source>Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded</source>
+   <translation>Mallar primero de nuevo las caras cuyos triángulos no pueden llevar cuadriláteros: demasiado largos y finos, o de tamaño que cambia demasiado rápido</translation>
+  </message>
+  <message>
+   <source>Row, pass, source, patch of the quads; lines</source>
+   <translation>Fila, pasada, fuente y trozo de los cuadriláteros; líneas</translation>
+  </message>
+  <message>
+   <source>Rows of each pass, and why they stopped</source>
+   <translation>Filas de cada pasada, y por qué acaban</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian of the worst quad</source>
+   <translation>Jacobiano escalado del peor cuadrilátero</translation>
+  </message>
+  <message>
+   <source>Sides of the line, seen along it with the surface's normal up, that get rows</source>
+   <translation>Lados de la línea, vista a lo largo con la normal hacia arriba, que reciben filas</translation>
+  </message>
+  <message>
+   <source>Straighten a line that zigzags over the triangles before rows start</source>
+   <translation>Enderezar una línea que zigzaguea por los triángulos antes de las filas</translation>
+  </message>
+  <message>
+   <source>The Part object</source>
+   <translation>El objeto Part</translation>
+  </message>
+  <message>
+   <source>The Part object on which the mesh lies, where FEM looks for it</source>
+   <translation>El objeto Part sobre el que está la malla, donde FEM lo busca</translation>
+  </message>
+  <message>
+   <source>The base mesh of the last run</source>
+   <translation>La malla de base del último cálculo</translation>
+  </message>
+  <message>
+   <source>The line runs against its first edge: left and right change</source>
+   <translation>La línea va en contra de su primera arista: se cambian izquierda y derecha</translation>
+  </message>
+  <message>
+   <source>The line's points in the world</source>
+   <translation>Los puntos de la línea en el espacio</translation>
+  </message>
+  <message>
+   <source>The triangle mesh</source>
+   <translation>La malla de triángulos</translation>
+  </message>
+  <message>
+   <source>The triangle mesh on which the line lies</source>
+   <translation>La malla de triángulos sobre la que está la línea</translation>
+  </message>
+  <message>
+   <source>Topological clean-up after the fill</source>
+   <translation>Limpieza topológica tras el relleno</translation>
+  </message>
+  <message>
+   <source>Version of these properties</source>
+   <translation>Versión de estas propiedades</translation>
+  </message>
+  <message>
+   <source>Wanted edge length of the quads; remeshes all patches. 0: that of the triangles</source>
+   <translation>Longitud de arista deseada de los cuadriláteros; malla de nuevo todas las caras. 0: la de los triángulos</translation>
+  </message>
+  <message>
+   <source>Wanted edge lengths, one per input vertex, instead of size</source>
+   <translation>Longitudes de arista deseadas, una por punto de entrada, en vez del tamaño</translation>
+  </message>
+  <message>
+   <source>What the mesher warns of</source>
+   <translation>De qué avisa el mallador</translation>
+  </message>
+  <message>
+   <source>Where the base is the tessellation of a Part object: patches are its faces, and nodes lie exactly on it</source>
+   <translation>Si la base es la triangulación de un objeto Part: los trozos son sus caras y los nodos están exactamente sobre él</translation>
+  </message>
+ </context>
+ <context>
   <name>Options</name>
   <message>
    <source>Cleanup</source>
@@ -287,6 +486,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Fuentes de anisotropía</translation>
   </message>
   <message>
+   <source>CAD shape</source>
+   <translation>Forma CAD</translation>
+  </message>
+  <message>
    <source>Change the selected source</source>
    <translation>Cambiar la fuente seleccionada</translation>
   </message>
@@ -311,6 +514,14 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Orden de los elementos</translation>
   </message>
   <message>
+   <source>Faces of the shape that go on into each other smoothly, as a fillet and what it rounds, can be one patch, over which quads flow without a line between. Give the degrees by which their normals may differ where they meet, for instance 5. With 0 each face is a patch.</source>
+   <translation>Las caras de la forma que continúan unas en otras con suavidad, como un redondeo y lo que redondea, pueden ser un solo trozo, por el que los cuadriláteros pasan sin línea entre ellas. Dé los grados en que pueden diferir sus normales donde se juntan, por ejemplo 5. Con 0 cada cara es un trozo.</translation>
+  </message>
+  <message>
+   <source>Faces whose normals differ by less where they meet are one patch; 0: each is one</source>
+   <translation>Las caras cuyas normales difieren menos donde se juntan son un solo trozo; 0: cada una es uno</translation>
+  </message>
+  <message>
    <source>Length</source>
    <translation>Longitud</translation>
   </message>
@@ -323,12 +534,28 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Mallando…</translation>
   </message>
   <message>
+   <source>On: the patches of the mesh are the faces of the Part shape, its lines are their edges, and all nodes lie exactly on it. Off: only the triangles count, and lines are where they bend.</source>
+   <translation>Marcado: los trozos de la malla son las caras de la forma Part, sus líneas son las aristas de estas y todos los nodos están exactamente sobre ella. Sin marcar: solo cuentan los triángulos, y hay líneas donde se doblan.</translation>
+  </message>
+  <message>
+   <source>Onto shape</source>
+   <translation>Sobre la forma</translation>
+  </message>
+  <message>
+   <source>OpenCASCADE makes as few triangles as show the shape; they are remeshed before they become quads. Gmsh is a program of its own, on Debian the package gmsh: its triangles have a good shape, the size that is asked for in the options, and are finer where the surface turns, as at a leading edge. They are made anew at the next Apply; Stop ends Gmsh.</source>
+   <translation>OpenCASCADE hace tan pocos triángulos como bastan para mostrar la forma; se mallan de nuevo antes de ser cuadriláteros. Gmsh es un programa aparte, en Debian el paquete gmsh: sus triángulos tienen buena forma, el tamaño que se pide en las opciones, y son más finos donde la superficie gira, como en un borde de ataque. Se hacen de nuevo con el siguiente Aplicar; Parar termina Gmsh.</translation>
+  </message>
+  <message>
    <source>Options</source>
    <translation>Opciones</translation>
   </message>
   <message>
    <source>Passes or 1:n</source>
    <translation>Pasadas o 1:n</translation>
+  </message>
+  <message>
+   <source>Patches are the faces of the shape, and all nodes lie exactly on it</source>
+   <translation>Los trozos son las caras de la forma, y todos los nodos están exactamente sobre ella</translation>
   </message>
   <message>
    <source>Pick a new line in the view</source>
@@ -353,6 +580,10 @@ con las fuentes que se le añadieron antes</translation>
   <message>
    <source>Sides</source>
    <translation>Lados</translation>
+  </message>
+  <message>
+   <source>Smooth angle</source>
+   <translation>Ángulo de suavidad</translation>
   </message>
   <message>
    <source>Source</source>
@@ -383,12 +614,32 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Triángulos</translation>
   </message>
   <message>
+   <source>Triangulator</source>
+   <translation>Triángulos de</translation>
+  </message>
+  <message>
    <source>Warning: {}</source>
    <translation>Aviso: {}</translation>
   </message>
   <message>
+   <source>What makes the triangles of the shape; Gmsh takes size and curvature angle of the options</source>
+   <translation>Qué hace los triángulos de la forma; Gmsh toma el tamaño y el ángulo de curvatura de las opciones</translation>
+  </message>
+  <message>
+   <source>Where the triangles are those of a Part shape, the quads can lie on the shape itself: its faces are the patches, its edges the lines of the mesh. Gmsh, where it is installed, makes triangles of good shape in the size that the options ask for, and of a fineness that follows the curvature; OpenCASCADE makes as few as show the shape, which are then remeshed.</source>
+   <translation>Si los triángulos son los de una forma Part, los cuadriláteros pueden estar sobre la forma misma: sus caras son los trozos, sus aristas las líneas de la malla. Gmsh, si está instalado, hace triángulos de buena forma del tamaño que piden las opciones y de una finura que sigue la curvatura; OpenCASCADE hace tan pocos como bastan para mostrar la forma, que después se mallan de nuevo.</translation>
+  </message>
+  <message>
+   <source>{quads} quads from {triangles} triangles</source>
+   <translation>{quads} cuadriláteros a partir de {triangles} triángulos</translation>
+  </message>
+  <message>
    <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
    <translation>{quads} cuadriláteros de {triangles} triángulos ({reduction:.1f} % menos elementos)</translation>
+  </message>
+  <message>
+   <source>°</source>
+   <translation>°</translation>
   </message>
  </context>
  <context>
@@ -539,6 +790,53 @@ con las fuentes que se le añadieron antes</translation>
   <message>
    <source>right</source>
    <translation>derecha</translation>
+  </message>
+ </context>
+ <context>
+  <name>Stages</name>
+  <message>
+   <source>Building rows</source>
+   <translation>Construcción de filas</translation>
+  </message>
+  <message>
+   <source>Checking</source>
+   <translation>Comprobación</translation>
+  </message>
+  <message>
+   <source>Cleaning up</source>
+   <translation>Limpieza</translation>
+  </message>
+  <message>
+   <source>Evening out patches</source>
+   <translation>Ajuste de los trozos</translation>
+  </message>
+  <message>
+   <source>Filling with quads</source>
+   <translation>Relleno</translation>
+  </message>
+  <message>
+   <source>Finding features</source>
+   <translation>Búsqueda de aristas</translation>
+  </message>
+  <message>
+   <source>Measuring</source>
+   <translation>Medición</translation>
+  </message>
+  <message>
+   <source>Preparing triangles</source>
+   <translation>Preparación de triángulos</translation>
+  </message>
+  <message>
+   <source>Repairing</source>
+   <translation>Reparación</translation>
+  </message>
+  <message>
+   <source>Smoothing</source>
+   <translation>Suavizado</translation>
+  </message>
+  <message>
+   <source>Triangulating</source>
+   <translation>Triangulación</translation>
   </message>
  </context>
  <context>

@@ -170,6 +170,205 @@ avec les sources ajoutées auparavant</translation>
   </message>
  </context>
  <context>
+  <name>App::Property</name>
+  <message>
+   <source>1st: four nodes a quad; 2nd: eight</source>
+   <translation>1er : quatre nœuds par quadrangle ; 2e : huit</translation>
+  </message>
+  <message>
+   <source>All figures of the run, as JSON</source>
+   <translation>Tous les chiffres du calcul, en JSON</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge may turn along the surface where patches are remeshed; 0: any</source>
+   <translation>Degrés dont une arête peut tourner le long de la surface là où des faces sont remaillées ; 0 : autant que l’on veut</translation>
+  </message>
+  <message>
+   <source>Degrees that one edge of Gmsh's triangles may turn along the surface; 0: any</source>
+   <translation>Degrés dont une arête des triangles de Gmsh peut tourner le long de la surface ; 0 : autant que l’on veut</translation>
+  </message>
+  <message>
+   <source>Degrees; edges whose facets turn by more are feature lines</source>
+   <translation>Degrés ; les arêtes où les triangles tournent davantage sont des lignes caractéristiques</translation>
+  </message>
+  <message>
+   <source>Edges of a Part object instead: the mesh edges on them are the line</source>
+   <translation>Ou des arêtes d’un objet Part : les arêtes du maillage sur elles sont la ligne</translation>
+  </message>
+  <message>
+   <source>Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one</source>
+   <translation>Les faces de l’objet Part dont les normales diffèrent moins là où elles se joignent ne font qu’un morceau ; 0 : chacune en est un</translation>
+  </message>
+  <message>
+   <source>Further feature edges, as pairs of input vertex ids</source>
+   <translation>Autres arêtes caractéristiques, en paires de numéros de points donnés</translation>
+  </message>
+  <message>
+   <source>Largest angle between the normals of neighbours, by OpenCASCADE</source>
+   <translation>Plus grand angle entre les normales de voisins, par OpenCASCADE</translation>
+  </message>
+  <message>
+   <source>Largest distance between the mesh and the base mesh</source>
+   <translation>Plus grande distance entre le maillage et le maillage de base</translation>
+  </message>
+  <message>
+   <source>Largest distance of OpenCASCADE's triangles from the shape; 0: a five-thousandth of its diagonal</source>
+   <translation>Plus grande distance des triangles d’OpenCASCADE à la forme ; 0 : un cinq-millième de sa diagonale</translation>
+  </message>
+  <message>
+   <source>Largest edge of Gmsh's triangles; 0: a tenth of the shape's diagonal</source>
+   <translation>Plus longue arête des triangles de Gmsh ; 0 : un dixième de la diagonale de la forme</translation>
+  </message>
+  <message>
+   <source>Largest edge of well-shaped triangles by OpenCASCADE (Mefisto) instead; 0: as large as deflection and angle allow</source>
+   <translation>Ou plus longue arête de triangles bien formés par OpenCASCADE (Mefisto) ; 0 : aussi grande que l’écart et l’angle le permettent</translation>
+  </message>
+  <message>
+   <source>Length of the line</source>
+   <translation>Longueur de la ligne</translation>
+  </message>
+  <message>
+   <source>Limit between the sizes of neighbouring elements where patches are remeshed</source>
+   <translation>Limite entre les tailles d’éléments voisins là où des faces sont remaillées</translation>
+  </message>
+  <message>
+   <source>Limit of sweeps of the final smoothing</source>
+   <translation>Limite des passes du lissage final</translation>
+  </message>
+  <message>
+   <source>Limit of the height of a row over that of the row before</source>
+   <translation>Limite de la hauteur d’une rangée par rapport à la précédente</translation>
+  </message>
+  <message>
+   <source>Lines along which anisotropic rows are built</source>
+   <translation>Lignes le long desquelles naissent des rangées anisotropes</translation>
+  </message>
+  <message>
+   <source>Maximum anisotropy, used where no passes are given; 1: a feature line without rows</source>
+   <translation>Anisotropie maximale, si aucune passe n’est donnée ; 1 : ligne caractéristique sans rangées</translation>
+  </message>
+  <message>
+   <source>Mean scaled Jacobian</source>
+   <translation>Jacobien normalisé moyen</translation>
+  </message>
+  <message>
+   <source>Mend bad input instead of rejecting it; the report says what was changed</source>
+   <translation>Réparer une mauvaise entrée au lieu de la refuser ; le rapport dit ce qui a été changé</translation>
+  </message>
+  <message>
+   <source>Merge ratio of each pass, with rows or not: 4:6, 2, 2</source>
+   <translation>Rapport de fusion de chaque passe, avec ou sans nombre de rangées : 4:6, 2, 2</translation>
+  </message>
+  <message>
+   <source>Number of corner nodes</source>
+   <translation>Nombre de nœuds de coin</translation>
+  </message>
+  <message>
+   <source>Number of mesh edges</source>
+   <translation>Nombre d’arêtes du maillage</translation>
+  </message>
+  <message>
+   <source>Number of quads</source>
+   <translation>Nombre de quadrangles</translation>
+  </message>
+  <message>
+   <source>Number of triangles of the base mesh</source>
+   <translation>Nombre de triangles du maillage de base</translation>
+  </message>
+  <message>
+   <source>OpenCASCADE: as few triangles as Deflection and Angle allow; Gmsh: triangles of good shape, by Size and Curvature Angle</source>
+   <translation>OpenCASCADE : aussi peu de triangles que Deflection et Angle le permettent ; Gmsh : triangles bien formés selon Size et Curvature Angle</translation>
+  </message>
+  <message>
+   <source>Percent of elements saved</source>
+   <translation>Pourcentage d’éléments épargnés</translation>
+  </message>
+  <message>
+   <source>Percent of interior nodes with four edges</source>
+   <translation>Pourcentage de nœuds intérieurs à quatre arêtes</translation>
+  </message>
+  <message>
+   <source>Point ids of the base mesh; closed when the first is also the last</source>
+   <translation>Numéros de points du maillage de base ; fermée quand le premier est aussi le dernier</translation>
+  </message>
+  <message>
+   <source>Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded</source>
+   <translation>Remailler d’abord les faces dont les triangles ne peuvent porter de quadrangles : trop longs et fins, ou de taille trop vite changeante</translation>
+  </message>
+  <message>
+   <source>Row, pass, source, patch of the quads; lines</source>
+   <translation>Rangée, passe, source, morceau des quadrangles ; lignes</translation>
+  </message>
+  <message>
+   <source>Rows of each pass, and why they stopped</source>
+   <translation>Rangées de chaque passe, et pourquoi elles finissent</translation>
+  </message>
+  <message>
+   <source>Scaled Jacobian of the worst quad</source>
+   <translation>Jacobien normalisé du plus mauvais quadrangle</translation>
+  </message>
+  <message>
+   <source>Sides of the line, seen along it with the surface's normal up, that get rows</source>
+   <translation>Côtés de la ligne, vue dans sa direction, normale vers le haut, qui reçoivent des rangées</translation>
+  </message>
+  <message>
+   <source>Straighten a line that zigzags over the triangles before rows start</source>
+   <translation>Redresser une ligne en zigzag sur les triangles avant les rangées</translation>
+  </message>
+  <message>
+   <source>The Part object</source>
+   <translation>L’objet Part</translation>
+  </message>
+  <message>
+   <source>The Part object on which the mesh lies, where FEM looks for it</source>
+   <translation>L’objet Part sur lequel est le maillage, là où FEM le cherche</translation>
+  </message>
+  <message>
+   <source>The base mesh of the last run</source>
+   <translation>Le maillage de base du dernier calcul</translation>
+  </message>
+  <message>
+   <source>The line runs against its first edge: left and right change</source>
+   <translation>La ligne va à l’encontre de sa première arête : gauche et droite changent</translation>
+  </message>
+  <message>
+   <source>The line's points in the world</source>
+   <translation>Les points de la ligne dans l’espace</translation>
+  </message>
+  <message>
+   <source>The triangle mesh</source>
+   <translation>Le maillage de triangles</translation>
+  </message>
+  <message>
+   <source>The triangle mesh on which the line lies</source>
+   <translation>Le maillage de triangles sur lequel est la ligne</translation>
+  </message>
+  <message>
+   <source>Topological clean-up after the fill</source>
+   <translation>Nettoyage topologique après le remplissage</translation>
+  </message>
+  <message>
+   <source>Version of these properties</source>
+   <translation>Version de ces propriétés</translation>
+  </message>
+  <message>
+   <source>Wanted edge length of the quads; remeshes all patches. 0: that of the triangles</source>
+   <translation>Longueur d’arête voulue des quadrangles ; remaille toutes les faces. 0 : celle des triangles</translation>
+  </message>
+  <message>
+   <source>Wanted edge lengths, one per input vertex, instead of size</source>
+   <translation>Longueurs d’arête voulues, une par point donné, au lieu de la taille</translation>
+  </message>
+  <message>
+   <source>What the mesher warns of</source>
+   <translation>Ce dont le mailleur avertit</translation>
+  </message>
+  <message>
+   <source>Where the base is the tessellation of a Part object: patches are its faces, and nodes lie exactly on it</source>
+   <translation>Si la base est la triangulation d’un objet Part : les morceaux sont ses faces, et les nœuds sont exactement sur lui</translation>
+  </message>
+ </context>
+ <context>
   <name>Options</name>
   <message>
    <source>Cleanup</source>
@@ -287,6 +486,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>Sources d’anisotropie</translation>
   </message>
   <message>
+   <source>CAD shape</source>
+   <translation>Forme CAO</translation>
+  </message>
+  <message>
    <source>Change the selected source</source>
    <translation>Modifier la source sélectionnée</translation>
   </message>
@@ -311,6 +514,14 @@ avec les sources ajoutées auparavant</translation>
    <translation>Ordre des éléments</translation>
   </message>
   <message>
+   <source>Faces of the shape that go on into each other smoothly, as a fillet and what it rounds, can be one patch, over which quads flow without a line between. Give the degrees by which their normals may differ where they meet, for instance 5. With 0 each face is a patch.</source>
+   <translation>Les faces de la forme qui se prolongent sans arête, comme un congé et ce qu’il arrondit, peuvent ne faire qu’un morceau, sur lequel les quadrangles passent sans ligne entre elles. Donnez les degrés dont leurs normales peuvent différer là où elles se joignent, par exemple 5. Avec 0, chaque face est un morceau.</translation>
+  </message>
+  <message>
+   <source>Faces whose normals differ by less where they meet are one patch; 0: each is one</source>
+   <translation>Les faces dont les normales diffèrent moins là où elles se joignent ne font qu’un morceau ; 0 : chacune en est un</translation>
+  </message>
+  <message>
    <source>Length</source>
    <translation>Longueur</translation>
   </message>
@@ -323,12 +534,28 @@ avec les sources ajoutées auparavant</translation>
    <translation>Maillage en cours…</translation>
   </message>
   <message>
+   <source>On: the patches of the mesh are the faces of the Part shape, its lines are their edges, and all nodes lie exactly on it. Off: only the triangles count, and lines are where they bend.</source>
+   <translation>Coché : les morceaux du maillage sont les faces de la forme Part, ses lignes en sont les arêtes, et tous les nœuds sont exactement sur elle. Décoché : seuls comptent les triangles, et les lignes sont là où ils plient.</translation>
+  </message>
+  <message>
+   <source>Onto shape</source>
+   <translation>Sur la forme</translation>
+  </message>
+  <message>
+   <source>OpenCASCADE makes as few triangles as show the shape; they are remeshed before they become quads. Gmsh is a program of its own, on Debian the package gmsh: its triangles have a good shape, the size that is asked for in the options, and are finer where the surface turns, as at a leading edge. They are made anew at the next Apply; Stop ends Gmsh.</source>
+   <translation>OpenCASCADE fait aussi peu de triangles qu’il en faut pour montrer la forme ; ils sont remaillés avant de devenir quadrangles. Gmsh est un programme à part, sous Debian le paquet gmsh : ses triangles sont bien formés, ont la taille demandée dans les options, et sont plus fins là où la surface tourne, comme à un bord d’attaque. Ils sont refaits au prochain Appliquer ; Arrêter met fin à Gmsh.</translation>
+  </message>
+  <message>
    <source>Options</source>
    <translation>Options</translation>
   </message>
   <message>
    <source>Passes or 1:n</source>
    <translation>Passes ou 1:n</translation>
+  </message>
+  <message>
+   <source>Patches are the faces of the shape, and all nodes lie exactly on it</source>
+   <translation>Les morceaux sont les faces de la forme, et tous les nœuds sont exactement sur elle</translation>
   </message>
   <message>
    <source>Pick a new line in the view</source>
@@ -353,6 +580,10 @@ avec les sources ajoutées auparavant</translation>
   <message>
    <source>Sides</source>
    <translation>Côtés</translation>
+  </message>
+  <message>
+   <source>Smooth angle</source>
+   <translation>Angle de continuité</translation>
   </message>
   <message>
    <source>Source</source>
@@ -383,12 +614,32 @@ avec les sources ajoutées auparavant</translation>
    <translation>Triangles</translation>
   </message>
   <message>
+   <source>Triangulator</source>
+   <translation>Triangles par</translation>
+  </message>
+  <message>
    <source>Warning: {}</source>
    <translation>Attention : {}</translation>
   </message>
   <message>
+   <source>What makes the triangles of the shape; Gmsh takes size and curvature angle of the options</source>
+   <translation>Ce qui fait les triangles de la forme ; Gmsh prend la taille et l’angle de courbure des options</translation>
+  </message>
+  <message>
+   <source>Where the triangles are those of a Part shape, the quads can lie on the shape itself: its faces are the patches, its edges the lines of the mesh. Gmsh, where it is installed, makes triangles of good shape in the size that the options ask for, and of a fineness that follows the curvature; OpenCASCADE makes as few as show the shape, which are then remeshed.</source>
+   <translation>Si les triangles sont ceux d’une forme Part, les quadrangles peuvent être sur la forme même : ses faces sont les morceaux, ses arêtes les lignes du maillage. Gmsh, s’il est installé, fait des triangles bien formés de la taille que demandent les options, d’une finesse qui suit la courbure ; OpenCASCADE en fait aussi peu qu’il en faut pour montrer la forme, et ils sont ensuite remaillés.</translation>
+  </message>
+  <message>
+   <source>{quads} quads from {triangles} triangles</source>
+   <translation>{quads} quadrangles à partir de {triangles} triangles</translation>
+  </message>
+  <message>
    <source>{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)</source>
    <translation>{quads} quadrangles à partir de {triangles} triangles ({reduction:.1f} % d’éléments en moins)</translation>
+  </message>
+  <message>
+   <source>°</source>
+   <translation>°</translation>
   </message>
  </context>
  <context>
@@ -539,6 +790,53 @@ avec les sources ajoutées auparavant</translation>
   <message>
    <source>right</source>
    <translation>droite</translation>
+  </message>
+ </context>
+ <context>
+  <name>Stages</name>
+  <message>
+   <source>Building rows</source>
+   <translation>Rangées</translation>
+  </message>
+  <message>
+   <source>Checking</source>
+   <translation>Vérification</translation>
+  </message>
+  <message>
+   <source>Cleaning up</source>
+   <translation>Nettoyage</translation>
+  </message>
+  <message>
+   <source>Evening out patches</source>
+   <translation>Équilibrage des morceaux</translation>
+  </message>
+  <message>
+   <source>Filling with quads</source>
+   <translation>Remplissage</translation>
+  </message>
+  <message>
+   <source>Finding features</source>
+   <translation>Lignes caractéristiques</translation>
+  </message>
+  <message>
+   <source>Measuring</source>
+   <translation>Mesure</translation>
+  </message>
+  <message>
+   <source>Preparing triangles</source>
+   <translation>Préparation des triangles</translation>
+  </message>
+  <message>
+   <source>Repairing</source>
+   <translation>Réparation</translation>
+  </message>
+  <message>
+   <source>Smoothing</source>
+   <translation>Lissage</translation>
+  </message>
+  <message>
+   <source>Triangulating</source>
+   <translation>Triangulation</translation>
   </message>
  </context>
  <context>

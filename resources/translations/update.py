@@ -33,6 +33,7 @@ def texts():
     from anisoquad.quality_measures import MEASURES
 
     found.setdefault("QualityPanel", set()).update(measure.title for measure in MEASURES.values())
+    found["App::Property"].update(option_fields().values())  # tooltips of the property editor
     found["Options"] = {text for field, doc in option_fields().items() for text in (option_label(field), doc)}
     return found
 

@@ -1,14 +1,20 @@
-"""The five steps of the user's guide, done in the window; their pictures are those of docs/guide.md."""
+"""The five steps of the user's guide and a CAD shape, done in the window; the pictures are those of docs/guide.md."""
 
+import sys
 import tempfile
 from pathlib import Path
 from unittest import mock
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from window import SCREENSHOTS, WindowTest, wait
+from window import ROOT, SCREENSHOTS, WindowTest, wait
 
+import anisoquad
 from anisoquad.compat import qt_widgets
+from anisoquad.gmsh import has_gmsh
+
+sys.path.append(str(ROOT / "tests" / "freecad"))
 
 WIDTH = 900  # pixels of the pictures in the guide
 
@@ -25,6 +31,7 @@ class Guide(WindowTest):
         self.view.viewIsometric()
         self.view.setCameraOrientation((0.25, -0.12, -0.2, 0.94))
         self.view.fitAll()
+        self.base.ViewObject.DisplayMode = "Flat Lines"
         self.select(self.base)
         self.picture("guide_1_triangles")
 
@@ -66,8 +73,28 @@ class Guide(WindowTest):
             self.assertEqual(path.read_text().count("*ELEMENT, TYPE=S4"), 1)
         self.picture("guide_5_object")
 
+    def test_then_a_cad_shape(self):
+        from shapes import leading_edge, loft_wing
+
+        self.doc.removeObject(self.base.Name)
+        wing = loft_wing(self.doc)
+        self.quads = anisoquad.make_quad_mesh(self.doc, base=wing, sources=[leading_edge(wing)], anisotropy=16, smooth_angle=5.0,
+                                              triangulator="Gmsh" if has_gmsh() else None, options=anisoquad.Options(size=40.0))
+        self.doc.recompute()
+        for obj in (wing, self.doc.WingRoot, self.doc.WingTip, self.quads.Base):
+            obj.ViewObject.Visibility = False
+        turned = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), -50) * FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 60)
+        self.view.setCameraOrientation(turned.Q)
+        self.view.fitAll()
+        FreeCADGui.ActiveDocument.setEdit(self.quads.Name)
+        wait(seconds=0.3)
+        self.assertTrue(self.panel("QuadMeshPanel").findChild(object, "ontoShape").isChecked())
+        self.picture("guide_6_cad_shape")
+        self.button("Cancel").click()
+
     def picture(self, name):
         self.screenshot(name)
         path = str(SCREENSHOTS / f"{name}.png")
         image = QtGui.QImage(path).scaledToWidth(WIDTH, QtCore.Qt.SmoothTransformation)
-        self.assertTrue(image.convertToFormat(QtGui.QImage.Format_RGB888).save(path))
+        few_colours = image.convertToFormat(QtGui.QImage.Format_RGB666)  # smaller files
+        self.assertTrue(few_colours.convertToFormat(QtGui.QImage.Format_RGB888).save(path, "PNG", 0))

@@ -1,8 +1,15 @@
 """Helpers for the properties of document objects."""
 
+from ..translation import QT_TRANSLATE_NOOP
+
+VERSION_DOC = QT_TRANSLATE_NOOP("App::Property", "Version of these properties")
+
 
 def add(obj, type_, name, group, doc, read_only=False):
-    """Add a property where it is missing, so that objects of older files get the newer ones. True when it was added."""
+    """Add a property where it is missing, so that objects of older files get the newer ones. True when it was added.
+
+    doc -- in English; FreeCAD shows it translated in the context App::Property
+    """
     if name in obj.PropertiesList:
         return False
     obj.addProperty(type_, name, group, doc, 1 if read_only else 0)

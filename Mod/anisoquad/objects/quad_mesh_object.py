@@ -6,6 +6,7 @@ import numpy as np
 from .. import convert
 from ..errors import MeshError
 from ..second_order import SecondOrder
+from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 from .base_mesh import base_signature
 from .mesh_job import MeshJob
@@ -39,21 +40,21 @@ class QuadMeshObject(properties.SavedByProperties):
 
     def add_properties(self, obj):
         """Add what is missing, so that objects of older files get the newer properties with their defaults."""
-        properties.add(obj, "App::PropertyLink", "Base", "QuadMesh", "The triangle mesh")
-        properties.add(obj, "App::PropertyLinkList", "Sources", "QuadMesh", "Lines along which anisotropic rows are built")
-        if properties.add(obj, "App::PropertyEnumeration", "ElementOrder", "QuadMesh", "1st: four nodes a quad; 2nd: eight"):
+        properties.add(obj, "App::PropertyLink", "Base", "QuadMesh", QT_TRANSLATE_NOOP("App::Property", "The triangle mesh"))
+        properties.add(obj, "App::PropertyLinkList", "Sources", "QuadMesh", QT_TRANSLATE_NOOP("App::Property", "Lines along which anisotropic rows are built"))
+        if properties.add(obj, "App::PropertyEnumeration", "ElementOrder", "QuadMesh", QT_TRANSLATE_NOOP("App::Property", "1st: four nodes a quad; 2nd: eight")):
             obj.ElementOrder = ["1st", "2nd"]
         if properties.add(obj, "App::PropertyBool", "OntoShape", "QuadMesh",
-                          "Where the base is the tessellation of a Part object: patches are its faces, and nodes lie exactly on it"):
+                          QT_TRANSLATE_NOOP("App::Property", "Where the base is the tessellation of a Part object: patches are its faces, and nodes lie exactly on it")):
             obj.OntoShape = True
         properties.add(obj, "App::PropertyAngle", "SmoothAngle", "QuadMesh",
-                       "Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one")
-        properties.add(obj, "App::PropertyLink", "Part", "QuadMesh", "The Part object on which the mesh lies, where FEM looks for it", True)
+                       QT_TRANSLATE_NOOP("App::Property", "Faces of the Part object whose normals differ by less where they meet are one patch; 0: each is one"))
+        properties.add(obj, "App::PropertyLink", "Part", "QuadMesh", QT_TRANSLATE_NOOP("App::Property", "The Part object on which the mesh lies, where FEM looks for it"), True)
         add_options(obj)
         add_report(obj)
-        properties.add(obj, "App::PropertyString", "BaseSignature", "Internal", "The base mesh of the last run", True)
-        properties.add(obj, "App::PropertyString", "QuadData", "Internal", "Row, pass, source, patch of the quads; lines", True)
-        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
+        properties.add(obj, "App::PropertyString", "BaseSignature", "Internal", QT_TRANSLATE_NOOP("App::Property", "The base mesh of the last run"), True)
+        properties.add(obj, "App::PropertyString", "QuadData", "Internal", QT_TRANSLATE_NOOP("App::Property", "Row, pass, source, patch of the quads; lines"), True)
+        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", properties.VERSION_DOC, True):
             obj.SchemaVersion = SCHEMA_VERSION
         # Node coordinates are those of the world, and a placement would be applied twice after reload.
         properties.hide(obj, "BaseSignature", "QuadData", "SchemaVersion", "Placement")

@@ -2,18 +2,19 @@
 
 import json
 
+from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 
 # (property, type, where it stands in the report, documentation)
 _FIGURES = (
-    ("Quads", "App::PropertyInteger", ("quads",), "Number of quads"),
-    ("Nodes", "App::PropertyInteger", ("nodes",), "Number of corner nodes"),
-    ("TrianglesIn", "App::PropertyInteger", ("triangles_in",), "Number of triangles of the base mesh"),
-    ("Reduction", "App::PropertyFloat", ("reduction_percent",), "Percent of elements saved"),
-    ("MinScaledJacobian", "App::PropertyFloat", ("scaled_jacobian", "min"), "Scaled Jacobian of the worst quad"),
-    ("MeanScaledJacobian", "App::PropertyFloat", ("scaled_jacobian", "mean"), "Mean scaled Jacobian"),
-    ("RegularNodes", "App::PropertyFloat", ("regular_percent",), "Percent of interior nodes with four edges"),
-    ("Hausdorff", "App::PropertyFloat", ("hausdorff",), "Largest distance between the mesh and the base mesh"),
+    ("Quads", "App::PropertyInteger", ("quads",), QT_TRANSLATE_NOOP("App::Property", "Number of quads")),
+    ("Nodes", "App::PropertyInteger", ("nodes",), QT_TRANSLATE_NOOP("App::Property", "Number of corner nodes")),
+    ("TrianglesIn", "App::PropertyInteger", ("triangles_in",), QT_TRANSLATE_NOOP("App::Property", "Number of triangles of the base mesh")),
+    ("Reduction", "App::PropertyFloat", ("reduction_percent",), QT_TRANSLATE_NOOP("App::Property", "Percent of elements saved")),
+    ("MinScaledJacobian", "App::PropertyFloat", ("scaled_jacobian", "min"), QT_TRANSLATE_NOOP("App::Property", "Scaled Jacobian of the worst quad")),
+    ("MeanScaledJacobian", "App::PropertyFloat", ("scaled_jacobian", "mean"), QT_TRANSLATE_NOOP("App::Property", "Mean scaled Jacobian")),
+    ("RegularNodes", "App::PropertyFloat", ("regular_percent",), QT_TRANSLATE_NOOP("App::Property", "Percent of interior nodes with four edges")),
+    ("Hausdorff", "App::PropertyFloat", ("hausdorff",), QT_TRANSLATE_NOOP("App::Property", "Largest distance between the mesh and the base mesh")),
 )
 
 
@@ -21,9 +22,9 @@ def add_report(obj):
     """Add the properties that are missing."""
     for name, type_, _, doc in _FIGURES:
         properties.add(obj, type_, name, "Result", doc, read_only=True)
-    properties.add(obj, "App::PropertyStringList", "RowsPerPass", "Result", "Rows of each pass, and why they stopped", True)
-    properties.add(obj, "App::PropertyStringList", "Warnings", "Result", "What the mesher warns of", True)
-    properties.add(obj, "App::PropertyString", "Report", "Result", "All figures of the run, as JSON", True)
+    properties.add(obj, "App::PropertyStringList", "RowsPerPass", "Result", QT_TRANSLATE_NOOP("App::Property", "Rows of each pass, and why they stopped"), True)
+    properties.add(obj, "App::PropertyStringList", "Warnings", "Result", QT_TRANSLATE_NOOP("App::Property", "What the mesher warns of"), True)
+    properties.add(obj, "App::PropertyString", "Report", "Result", QT_TRANSLATE_NOOP("App::Property", "All figures of the run, as JSON"), True)
     properties.hide(obj, "Report")
 
 

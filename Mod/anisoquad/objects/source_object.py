@@ -6,6 +6,7 @@ import numpy as np
 from ..cad import has_cad
 from ..errors import MeshError
 from ..source import Source
+from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 from .base_mesh import base_arrays
 from .part_edges import vertices_on_edges
@@ -15,14 +16,14 @@ from .triangles_object import is_triangles_of
 SCHEMA_VERSION = 1
 
 _INPUTS = (
-    ("Base", "App::PropertyLink", "The triangle mesh on which the line lies"),
-    ("Vertices", "App::PropertyIntegerList", "Point ids of the base mesh; closed when the first is also the last"),
-    ("Edges", "App::PropertyLinkSub", "Edges of a Part object instead: the mesh edges on them are the line"),
-    ("Reverse", "App::PropertyBool", "The line runs against its first edge: left and right change"),
-    ("Anisotropy", "App::PropertyInteger", "Maximum anisotropy, used where no passes are given; 1: a feature line without rows"),
-    ("Passes", "App::PropertyString", "Merge ratio of each pass, with rows or not: 4:6, 2, 2"),
-    ("Sides", "App::PropertyEnumeration", "Sides of the line, seen along it with the surface's normal up, that get rows"),
-    ("Imprint", "App::PropertyBool", "Straighten a line that zigzags over the triangles before rows start"),
+    ("Base", "App::PropertyLink", QT_TRANSLATE_NOOP("App::Property", "The triangle mesh on which the line lies")),
+    ("Vertices", "App::PropertyIntegerList", QT_TRANSLATE_NOOP("App::Property", "Point ids of the base mesh; closed when the first is also the last")),
+    ("Edges", "App::PropertyLinkSub", QT_TRANSLATE_NOOP("App::Property", "Edges of a Part object instead: the mesh edges on them are the line")),
+    ("Reverse", "App::PropertyBool", QT_TRANSLATE_NOOP("App::Property", "The line runs against its first edge: left and right change")),
+    ("Anisotropy", "App::PropertyInteger", QT_TRANSLATE_NOOP("App::Property", "Maximum anisotropy, used where no passes are given; 1: a feature line without rows")),
+    ("Passes", "App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "Merge ratio of each pass, with rows or not: 4:6, 2, 2")),
+    ("Sides", "App::PropertyEnumeration", QT_TRANSLATE_NOOP("App::Property", "Sides of the line, seen along it with the surface's normal up, that get rows")),
+    ("Imprint", "App::PropertyBool", QT_TRANSLATE_NOOP("App::Property", "Straighten a line that zigzags over the triangles before rows start")),
 )
 
 
@@ -42,10 +43,10 @@ class SourceObject(properties.SavedByProperties):
                     obj.Sides = ["both", "left", "right"]
                 if name == "Anisotropy":
                     obj.Anisotropy = 1
-        properties.add(obj, "App::PropertyLength", "Length", "Result", "Length of the line", True)
-        properties.add(obj, "App::PropertyInteger", "EdgeCount", "Result", "Number of mesh edges", True)
-        properties.add(obj, "App::PropertyVectorList", "Points", "Result", "The line's points in the world", True)
-        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", "Version of these properties", True):
+        properties.add(obj, "App::PropertyLength", "Length", "Result", QT_TRANSLATE_NOOP("App::Property", "Length of the line"), True)
+        properties.add(obj, "App::PropertyInteger", "EdgeCount", "Result", QT_TRANSLATE_NOOP("App::Property", "Number of mesh edges"), True)
+        properties.add(obj, "App::PropertyVectorList", "Points", "Result", QT_TRANSLATE_NOOP("App::Property", "The line's points in the world"), True)
+        if properties.add(obj, "App::PropertyInteger", "SchemaVersion", "Internal", properties.VERSION_DOC, True):
             obj.SchemaVersion = SCHEMA_VERSION
         properties.hide(obj, "Points", "SchemaVersion")
 

@@ -9,9 +9,12 @@ def figures_text(obj):
     """A few lines of the quad mesh object's figures; empty while it holds no quads."""
     if not obj.Quads:
         return ""
+    if obj.Reduction > 0.0:
+        counts = translate("QuadMeshPanel", "{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)")
+    else:  # a size was asked for, or few triangles show a CAD shape
+        counts = translate("QuadMeshPanel", "{quads} quads from {triangles} triangles")
     lines = [
-        translate("QuadMeshPanel", "{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)").format(
-            quads=obj.Quads, triangles=obj.TrianglesIn, reduction=obj.Reduction),
+        counts.format(quads=obj.Quads, triangles=obj.TrianglesIn, reduction=obj.Reduction),
         translate("QuadMeshPanel", "Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %").format(
             worst=obj.MinScaledJacobian, mean=obj.MeanScaledJacobian, regular=obj.RegularNodes),
         *_rows(json.loads(obj.Report)["passes"]),

@@ -11,7 +11,11 @@ from ..commands.selection import is_mesh
 from ..compat import button_box, button_name, load_ui, translate
 from ..errors import Cancelled, MeshError
 from ..objects.mesh_job import MeshJob, row_edges
+from ..objects.source_object import is_source
+from ..objects.triangles_object import is_triangles
 from ..resources import ui_file
+from ..stages import stage_title
+from .cad_form import CadForm
 from .figures import figures_text
 from .highlight import Highlight
 from .mesh_worker import MeshWorker
@@ -38,9 +42,12 @@ class QuadMeshPanel:
         form.base.setCurrentIndex(self.bases.index(obj.Base) if obj.Base in self.bases else -1)
         form.order.setCurrentIndex(1 if obj.ElementOrder == "2nd" else 0)
         self.options = OptionForm(form.options, obj)
+        self.cad = CadForm(form, obj)
         self.sources = SourceTable(form.sources)
         self.sources.fill(obj.Sources)
         form.figures.setText(figures_text(obj))
+        self._show_base()
+        form.base.currentIndexChanged.connect(self._show_base)
         form.add.clicked.connect(self._add_source)
         form.edit.clicked.connect(self._edit_source)
         form.remove.clicked.connect(self._remove_source)
@@ -94,20 +101,49 @@ class QuadMeshPanel:
         except MeshError as error:
             self._fail(error)
             return False
-        base = self.bases[self.form.base.currentIndex()] if self.form.base.currentIndex() >= 0 else None
+        base = self._base()
         if base is not self.obj.Base:
             lines.append(f"{name}.Base = {reference(base)}")
         values = {"ElementOrder": "2nd" if self.form.order.currentIndex() else "1st"}
         changes = self.options.changes()
         changes.update({key: value for key, value in values.items() if getattr(self.obj, key) != value})
+        changes.update(self.cad.changes())
+        lines += self.cad.triangle_lines(base, changes)
         record(*lines, *(f"{name}.{key} = {value!r}" for key, value in changes.items()))
         return True
 
     def _is_current(self):
-        return self.obj.Quads > 0 and "Touched" not in self.obj.State and not any("Touched" in s.State for s in self.obj.Sources)
+        return self.obj.Quads > 0 and not any("Touched" in other.State for other in (self.obj, self.obj.Base, *self.obj.Sources) if other)
+
+    def _base(self):
+        """The mesh object that is chosen, or None."""
+        return self.bases[self.form.base.currentIndex()] if self.form.base.currentIndex() >= 0 else None
+
+    def _show_base(self, *_):
+        self.cad.show(self._base())
 
     def _start(self):
         self.form.preview.setChecked(False)
+        self._triangulate(self._mesh)
+
+    def _triangulate(self, go_on):
+        """Have the base's triangles made where that takes a run of Gmsh; go_on() follows."""
+        try:
+            job = self.obj.Base.Proxy.missing_run(self.obj.Base) if is_triangles(self.obj.Base) else None
+        except MeshError as error:
+            self._fail(error)
+            return
+        if job is None:
+            go_on()
+        else:
+            self._run(job.run, lambda mesh: self._keep_triangles(job, mesh, go_on))
+
+    def _keep_triangles(self, job, mesh, go_on):
+        self._stopped()
+        self.obj.Base.Proxy.keep(job, mesh)
+        go_on()
+
+    def _mesh(self):
         job = self._job()
         if job is not None:
             self._run(job.run_for_document, self._done)
@@ -116,8 +152,9 @@ class QuadMeshPanel:
         """The object's MeshJob; None, with what is wrong shown, when its properties can not be read."""
         self.highlight.clear()
         try:
-            for source in self.obj.Sources:
-                source.recompute()
+            for other in (self.obj.Base, *self.obj.Sources):
+                if is_triangles(other) and "Touched" in other.State or is_source(other):
+                    other.recompute()
             return MeshJob.of(self.obj)
         except MeshError as error:
             self._fail(error)
@@ -136,7 +173,8 @@ class QuadMeshPanel:
 
     def _show_progress(self, stage, fraction):
         self.form.progress.setValue(int(1000 * fraction))
-        self.form.progress.setFormat(f"{stage} %p %" if stage else "%p %")
+        title = translate("Stages", stage_title(stage)) if stage else ""
+        self.form.progress.setFormat(f"{title} %p %".lstrip())
 
     def _stopped(self):
         self.worker = None
@@ -148,6 +186,7 @@ class QuadMeshPanel:
         self.obj.touch()
         record("FreeCAD.ActiveDocument.recompute()")
         self.form.progress.setValue(1000)
+        self.form.progress.setFormat("%p %")
         self.form.figures.setText(figures_text(self.obj))
         self.sources.fill(self.obj.Sources)
         if preferences.hide_base() and self.obj.Base.ViewObject is not None:
@@ -161,6 +200,7 @@ class QuadMeshPanel:
         self._close_when_done = False
         self.form.preview.setChecked(False)
         self.form.progress.setValue(0)
+        self.form.progress.setFormat("%p %")
         if isinstance(error, Cancelled):
             self.form.figures.setText(translate("QuadMeshPanel", "Stopped. The old mesh was kept."))
             return
@@ -196,8 +236,10 @@ class QuadMeshPanel:
 
     def _preview_rows(self, on):
         self.preview.clear()
-        if not on or self.worker is not None or not self._write():
-            return
+        if on and self.worker is None and self._write():
+            self._triangulate(self._preview_job)
+
+    def _preview_job(self):
         job = self._job()
         if job is None:
             return
