@@ -1,6 +1,7 @@
 #include "qmorph/edge_recovery.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -16,6 +17,7 @@ using M = SurfaceMesh;
 using Eigen::Vector3d;
 
 constexpr int kMostCrossed = 400;
+constexpr int kMostRounds = 4;           // of taking nodes out of the way
 constexpr double kTouching = 0.15;      // distance of a node from the line, over the line's length
 constexpr double kInTheWay = 0.5;         // the same for a node that is taken away from it
 constexpr double kLeastFold = 0.3;       // cosine between the triangles of a swapped edge
@@ -41,10 +43,11 @@ class EdgeRecovery {
                 if (!collect_crossed()) return {};
             }
         }
-        const HalfEdge made = swap_crossed();
-        if (made.is_valid()) return made;
-        if (!collect_crossed() || !clear_line() || !collect_crossed()) return mesh_.find_halfedge(a_, b_);
-        return swap_crossed();
+        for (int round = 0;; ++round) {
+            const HalfEdge made = swap_crossed();
+            if (made.is_valid()) return made;
+            if (round == kMostRounds || !collect_crossed() || !clear_line() || !collect_crossed()) return mesh_.find_halfedge(a_, b_);
+        }
     }
 
   private:
@@ -116,7 +119,8 @@ class EdgeRecovery {
         return (side(p) > 0.0) != (side(q) > 0.0);
     }
 
-    /// Free nodes that the line all but touches leave no convex pair to swap: they are pushed off it, or merged into an end.
+    /// Free nodes that the line all but touches leave no convex pair to swap: they are pushed off it, or merged into an end or what else
+    /// is beside them.
     bool clear_line() {
         bool changed = false;
         for (const Edge e : crossed_) {
@@ -142,7 +146,7 @@ class EdgeRecovery {
                     continue;
                 }
                 changed = push_off(v, (distance > 0.0 ? 1.0 : -1.0) * across, kTouching * line_.norm() - std::abs(distance)) ||
-                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || changed;
+                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || merge_best(v) || changed;
                 if (mesh_.is_deleted(e)) break;
             }
         }
@@ -182,6 +186,35 @@ class EdgeRecovery {
             if (doubled_area(end, p, q) <= 0.0) return false;
         }
         collapse(mesh_, h);
+        return true;
+    }
+
+    /// Worst triangle that a merge would leave, seen along the strip's normal: doubled area over the sum of squared edges.
+    double worst_after_merge(HalfEdge h) const {
+        const Vertex end = mesh_.to(h);
+        double worst = 1.0;
+        for (const HalfEdge out : mesh_.outgoing(mesh_.from(h))) {
+            const Vertex p = mesh_.to(out);
+            const Vertex q = mesh_.to(mesh_.next(out));
+            if (p == end || q == end) continue;
+            const double edges = (at(p) - at(end)).squaredNorm() + (at(q) - at(p)).squaredNorm() + (at(end) - at(q)).squaredNorm();
+            worst = std::min(worst, doubled_area(end, p, q) / edges);
+        }
+        return worst;
+    }
+
+    /// Merges a node that lies on the line into the neighbour that leaves the best triangles.
+    bool merge_best(Vertex v) {
+        HalfEdge best;
+        double quality = 0.0;
+        for (const HalfEdge out : mesh_.outgoing(v)) {
+            const double here = worst_after_merge(out);
+            if (here <= quality || !is_collapse_ok(mesh_, out)) continue;
+            quality = here;
+            best = out;
+        }
+        if (!best.is_valid()) return false;
+        collapse(mesh_, best);
         return true;
     }
 
