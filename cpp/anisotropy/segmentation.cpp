@@ -4,19 +4,27 @@
 
 namespace anisoquad {
 
-std::vector<int> segment_open(int edges, int ratio) {
-    const auto ramps = [](int k) { return k * (k - 1); };  // both ramps 1 … k − 1
+std::vector<int> segment_open(int edges, int ratio, RampStart start) {
+    const auto ramp = [](int first, int k) { return first < k ? (k - first) * (k + first - 1) / 2 : 0; };  // first … k − 1
+    const auto ramps = [&](int k) { return ramp(start.front, k) + ramp(start.back, k); };
     while (ratio > 1 && ramps(ratio) + ratio > edges) --ratio;
     if (ratio <= 1) return std::vector<int>(static_cast<std::size_t>(edges), 1);
-    std::vector<int> segments;
-    for (int k = 1; k < ratio; ++k) segments.push_back(k);
     const int middle = edges - ramps(ratio);
-    for (int i = 0; i < middle / ratio; ++i) segments.push_back(ratio);
+    const int whole = middle / ratio;
     const int rest = middle % ratio;
-    for (int k = ratio - 1; k >= 1; --k) {
-        if (k == rest) segments.push_back(rest);
-        segments.push_back(k);
+    std::vector<int> segments;
+    for (int k = start.front; k < ratio; ++k) segments.push_back(k);
+    segments.insert(segments.end(), static_cast<std::size_t>(whole), ratio);
+    for (int k = ratio - 1; k >= start.back; --k) segments.push_back(k);
+    if (rest == 0) return segments;
+    // What is shorter than both ramps' first segments goes where it is far from either.
+    auto place = segments.begin() + static_cast<std::ptrdiff_t>(segments.size() / 2);
+    if (rest >= start.back) {
+        place = std::find_if(segments.rbegin(), segments.rend(), [&](int k) { return k >= rest; }).base();
+    } else if (rest >= start.front) {
+        place = std::find_if(segments.begin(), segments.end(), [&](int k) { return k >= rest; });
     }
+    segments.insert(place, rest);
     return segments;
 }
 
