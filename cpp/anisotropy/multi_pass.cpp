@@ -23,7 +23,7 @@ constexpr double kFreeShare = 0.3;       // of the way to the next obstacle that
 constexpr double kFreeShareLater = 0.1;  // more for each later pass
 constexpr double kReserve = 3.0;        // heights that are left to each later pass
 constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
-constexpr double kColumnAtEnd = 0.6;    // least width of the merged end columns over the height of the uppermost row
+constexpr double kColumnAtEnd = 1.0;    // least width of the merged end columns over the height of the uppermost row
 constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
 constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
 

@@ -29,6 +29,7 @@ constexpr double kMostTriangles = 6.0;   ///< that may be made of one, where no 
 constexpr double kFewTriangles = 2000.0;  ///< that may be made in any case
 constexpr double kAlongSource = 2.0;    ///< wanted length of merged edges over the largest size
 constexpr double kMostRefinement = 8.0;  ///< of the edges along a source
+constexpr double kWidthOverHeight = 1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
 constexpr double kFinestSource = 1.0 / 64.0;  ///< least edges along a source for the rows at its ends, over the largest size
 constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wanted spread the remeshing to the patch behind them
 
@@ -134,7 +135,7 @@ class Prepare {
         if (std::none_of(chains_.begin(), chains_.end(), [&](const LineNodes& chain) { return is_source(chain); })) return;
         const SourceSpacingOptions options{range_.largest, kFinestSource * range_.largest, kLineSagitta * input_.reference.diagonal()};
         for (std::size_t s = 0; s < sources_.size(); ++s) {
-            source_bound_.push_back(source_spacing(mesh_, chains_, input_.lines, input_.reference_lines, static_cast<std::int32_t>(s), options));
+            source_bound_.push_back(kWidthOverHeight * source_spacing(mesh_, chains_, input_.lines, input_.reference_lines, static_cast<std::int32_t>(s), options));
         }
     }
 

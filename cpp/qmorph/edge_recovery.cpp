@@ -146,7 +146,7 @@ class EdgeRecovery {
                     continue;
                 }
                 changed = push_off(v, (distance > 0.0 ? 1.0 : -1.0) * across, kTouching * line_.norm() - std::abs(distance)) ||
-                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || merge_best(v) || changed;
+                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || remove(v) || changed;
                 if (mesh_.is_deleted(e)) break;
             }
         }
@@ -189,7 +189,12 @@ class EdgeRecovery {
         return true;
     }
 
-    /// Worst triangle that a merge would leave, seen along the strip's normal: doubled area over the sum of squared edges.
+    /// Of a triangle seen along the strip's normal: doubled area over the sum of squared edges.
+    double quality_of(Vertex p, Vertex q, Vertex r) const {
+        return doubled_area(p, q, r) / ((at(q) - at(p)).squaredNorm() + (at(r) - at(q)).squaredNorm() + (at(p) - at(r)).squaredNorm());
+    }
+
+    /// Worst triangle that a merge would leave.
     double worst_after_merge(HalfEdge h) const {
         const Vertex end = mesh_.to(h);
         double worst = 1.0;
@@ -197,13 +202,33 @@ class EdgeRecovery {
             const Vertex p = mesh_.to(out);
             const Vertex q = mesh_.to(mesh_.next(out));
             if (p == end || q == end) continue;
-            const double edges = (at(p) - at(end)).squaredNorm() + (at(q) - at(p)).squaredNorm() + (at(end) - at(q)).squaredNorm();
-            worst = std::min(worst, doubled_area(end, p, q) / edges);
+            worst = std::min(worst, quality_of(end, p, q));
         }
         return worst;
     }
 
-    /// Merges a node that lies on the line into the neighbour that leaves the best triangles.
+    /// Takes out a node among others that all but lie on the line, by swaps that leave it with three edges; where none can be swapped any
+    /// more, by a merge.
+    bool remove(Vertex v) {
+        while (mesh_.valence(v) > 3) {
+            Edge best;
+            double quality = 1e-6;
+            for (const HalfEdge out : mesh_.outgoing(v)) {
+                const Vertex q = mesh_.to(out);
+                const Vertex l = mesh_.to(mesh_.next(out));
+                const Vertex r = mesh_.to(mesh_.next(M::twin(out)));
+                const double here = quality_of(q, l, r);
+                if (here <= quality || doubled_area(v, r, l) <= 0.0 || !is_flip_ok(mesh_, M::edge(out))) continue;
+                quality = here;
+                best = M::edge(out);
+            }
+            if (!best.is_valid()) return merge_best(v);
+            flip(mesh_, best);
+        }
+        return merge_best(v);
+    }
+
+    /// Merges a node into the neighbour that leaves the best triangles.
     bool merge_best(Vertex v) {
         HalfEdge best;
         double quality = 0.0;
