@@ -15,6 +15,7 @@
 #include "features/small_patches.h"
 #include "input/check.h"
 #include "input/repair.h"
+#include "input/spatial_order.h"
 #include "mesh/arrays.h"
 #include "mesh/face_middle.h"
 #include "mesh/validate.h"
@@ -32,6 +33,7 @@ namespace {
 
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
+constexpr int kRepairRounds = 2;
 constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
 
 /// Moves the model to the origin and gives it the size 1, so that nothing depends on where and how large it is.
@@ -60,16 +62,20 @@ class Pipeline {
   public:
     Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
              Context& context, const TargetSurface* target = nullptr)
-        : points_(points), triangles_(triangles), sources_(sources), options_(options), context_(context), target_(target) {}
+        : points_(points), triangles_(triangles), sources_(sources.begin(), sources.end()), options_(options), context_(context), target_(target) {}
 
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
         check_options(options_, points_.size());
         check_input(points_, triangles_);
         const Frame frame(points_, triangles_);
-        for (const Point& p : points_) unit_points_.push_back(frame.in(p));
+        if (!target_) put_triangles_in_order();
+        unit_points_.reserve(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) unit_points_.push_back(frame.in(points_[at(input_vertex(static_cast<std::int32_t>(i)))]));
         mesh_ = from_arrays(unit_points_, triangles_);
-        check_sources(mesh_, sources_);
+        check_sources(mesh_, sources_, order_.rank);
+        check_feature_edges(mesh_, options_.feature_edges, order_.rank);
+        if (!order_.rank.empty()) put_ids_in_order();
         before_ = topology(mesh_);
         end();
 
@@ -84,7 +90,7 @@ class Pipeline {
         end();
 
         begin("prepare", 0.05, 0.1);
-        std::vector<Source> sources(sources_.begin(), sources_.end());
+        std::vector<Source> sources = sources_;
         const bool remeshed =
             prepare(sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold});
         end();
@@ -118,7 +124,7 @@ class Pipeline {
             reference.set_target({target_, frame.centre, frame.scale});
             move_onto_target(mesh_, reference, reference_lines);
         }
-        smooth_mesh(mesh_, reference, options_, context_, reference_lines);
+        smooth_and_repair(reference, reference_lines);
         if (target_) settle_on_target(reference, reference_lines);
         end();
         snapshot("result", frame);
@@ -131,6 +137,7 @@ class Pipeline {
     }
 
   private:
+    static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
     Report& report() { return result_.report; }
     void warn(const std::string& text) { report().warnings.push_back(text); }
 
@@ -149,6 +156,36 @@ class Pipeline {
         if (options_.validate) check_invariants();
 #endif
     }
+
+    /// From here on triangles_ and unit_points_ have the order in which neighbours are near each other in memory.
+    void put_triangles_in_order() {
+        order_ = spatial_order(points_, triangles_);
+        ordered_triangles_.reserve(triangles_.size());
+        for (const std::int32_t f : order_.triangle) {
+            const auto& [a, b, c] = triangles_[at(f)];
+            std::array<std::int32_t, 3> ordered{order_.rank[at(a)], order_.rank[at(b)], order_.rank[at(c)]};
+            std::rotate(ordered.begin(), std::min_element(ordered.begin(), ordered.end()), ordered.end());
+            ordered_triangles_.push_back(ordered);
+        }
+        triangles_ = ordered_triangles_;
+    }
+
+    /// The same for what the user gave by vertex ids.
+    void put_ids_in_order() {
+        for (Source& source : sources_) {
+            for (std::int32_t& v : source.vertices) v = order_.rank[at(v)];
+        }
+        for (auto& [a, b] : options_.feature_edges) {
+            a = order_.rank[at(a)];
+            b = order_.rank[at(b)];
+        }
+        if (options_.vertex_size.empty()) return;
+        const std::vector<double> sizes = std::move(options_.vertex_size);
+        options_.vertex_size.clear();
+        for (const std::int32_t v : order_.vertex) options_.vertex_size.push_back(sizes[at(v)]);
+    }
+
+    std::int32_t input_vertex(std::int32_t v) const { return v < 0 || order_.vertex.empty() ? v : order_.vertex[at(v)]; }
 
     /// The invariants of every stage; a violation is an error of ours, not of the user.
     void check_invariants() const {
@@ -220,6 +257,15 @@ class Pipeline {
         blend_ahead_of_rows(mesh_, reference);
     }
 
+    /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn.
+    void smooth_and_repair(const ReferenceSurface& reference, const ReferenceLines& lines) {
+        for (int round = 0;; ++round) {
+            const FinalSmoothingResult result = smooth_mesh(mesh_, reference, options_, context_, lines);
+            if (result.inverted == 0 || !options_.cleanup || round == kRepairRounds) return;
+            if (clean_up(mesh_, reference, context_).operations == 0) return;
+        }
+    }
+
     /// What slid along the input's lines in the smoothing is brought onto the target once more.
     void settle_on_target(const ReferenceSurface& reference, const ReferenceLines& lines) {
         const OntoTargetResult result = move_onto_target(mesh_, reference, lines);
@@ -244,7 +290,7 @@ class Pipeline {
     }
 
     Point out(Vertex v, const Frame& frame) const {
-        const std::int32_t input = mesh_.info(v).input;
+        const std::int32_t input = input_vertex(mesh_.info(v).input);
         return input >= 0 ? points_[static_cast<std::size_t>(input)] : frame.out(mesh_.position(v));
     }
 
@@ -267,7 +313,7 @@ class Pipeline {
         for (const Vertex v : arrays.vertices) {
             result_.points.push_back(out(v, frame));
             result_.node_line.push_back(mesh_.info(v).line);
-            result_.node_input.push_back(mesh_.info(v).input);
+            result_.node_input.push_back(input_vertex(mesh_.info(v).input));
         }
         result_.quads = std::move(arrays.faces);
         for (const Face f : arrays.face_handles) {
@@ -285,12 +331,14 @@ class Pipeline {
         }
     }
 
-    std::span<const Point> points_;
+    std::span<const Point> points_;  ///< as the user gave them
     Triangles triangles_;
-    std::span<const Source> sources_;
-    const Options& options_;
+    std::vector<Source> sources_;
+    Options options_;
     Context& context_;
     const TargetSurface* target_;
+    SpatialOrder order_;  ///< empty where the input's order is kept
+    std::vector<std::array<std::int32_t, 3>> ordered_triangles_;
     SurfaceMesh mesh_;
     std::vector<Point> unit_points_;
     Topology before_;

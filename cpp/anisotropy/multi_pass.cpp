@@ -129,7 +129,8 @@ class MultiPass {
     bool is_active(std::size_t s, std::size_t p, const std::vector<std::size_t>& before) const {
         if (p >= sources_[s].passes.size() || sources_[s].passes[p].ratio < 2) return false;
         for (std::size_t i = 0; i < stacks_.size(); ++i) {
-            if (stacks_[i].source == static_cast<std::int32_t>(s) && stacks_[i].rows() > before[i]) return true;
+            // A single row would be given back after the merge: nothing but longer triangles would be left of it.
+            if (stacks_[i].source == static_cast<std::int32_t>(s) && stacks_[i].rows() > before[i] + 1) return true;
         }
         return false;
     }

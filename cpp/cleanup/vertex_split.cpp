@@ -5,6 +5,12 @@
 
 namespace anisoquad {
 
+namespace {
+
+constexpr std::size_t kMostSpokes = 10;  ///< of a node that is split in all ways; the hub of a fan is only halved, or the proposals' cost is cubic
+
+}  // namespace
+
 void propose_vertex_split(const SurfaceMesh& mesh, Vertex v, std::vector<Proposal>& out) {
     if (!is_movable(mesh, v)) return;
     std::vector<HalfEdge> spokes;
@@ -19,6 +25,7 @@ void propose_vertex_split(const SurfaceMesh& mesh, Vertex v, std::vector<Proposa
     const Vertex second = Replacement::new_node(1);
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = i + 2; j < n && j - i + 2 <= n; ++j) {
+            if (n > kMostSpokes && j - i != n / 2) continue;
             Proposal& p = out.emplace_back();
             p.replacement.nodes.assign(2, {Point::Zero(), VertexInfo{}});
             for (Replacement::Node& node : p.replacement.nodes) node.info.size = mesh.info(v).size;

@@ -207,10 +207,13 @@ class InputChecker {
     std::vector<std::int32_t> mate_;  ///< per corner: half-edge on the other side, -1 = boundary
 };
 
+/// The mesh's vertex that is the input vertex v.
+Vertex mesh_vertex(std::int32_t v, std::span<const std::int32_t> rank) { return Vertex(rank.empty() ? v : rank[at(v)]); }
+
 class SourceChecker {
   public:
-    explicit SourceChecker(const SurfaceMesh& mesh)
-        : mesh_(mesh), use_(at(mesh.vertex_slots()), Use::none), edge_used_(at(mesh.edge_slots()), 0) {}
+    SourceChecker(const SurfaceMesh& mesh, std::span<const std::int32_t> rank)
+        : mesh_(mesh), rank_(rank), use_(at(mesh.vertex_slots()), Use::none), edge_used_(at(mesh.edge_slots()), 0) {}
 
     void check(const Source& source, std::size_t index) {
         name_ = "Source " + std::to_string(index) + ": ";
@@ -242,7 +245,7 @@ class SourceChecker {
                 fail("vertex " + std::to_string(v) + " does not exist.", ElementKind::vertex, {v});
         }
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-            const HalfEdge h = mesh_.find_halfedge(Vertex(nodes[i]), Vertex(nodes[i + 1]));
+            const HalfEdge h = mesh_.find_halfedge(mesh_vertex(nodes[i], rank_), mesh_vertex(nodes[i + 1], rank_));
             const std::string pair = std::to_string(nodes[i]) + " and " + std::to_string(nodes[i + 1]);
             if (!h.is_valid()) {
                 fail("vertices " + pair +
@@ -270,6 +273,7 @@ class SourceChecker {
     }
 
     const SurfaceMesh& mesh_;
+    std::span<const std::int32_t> rank_;
     std::vector<Use> use_;  ///< by the sources so far
     std::vector<char> edge_used_;
     std::string name_;
@@ -281,8 +285,8 @@ class SourceChecker {
 
 void check_input(std::span<const Point> points, Triangles triangles) { InputChecker(points, triangles).run(); }
 
-void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources) {
-    SourceChecker checker(mesh);
+void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources, std::span<const std::int32_t> rank) {
+    SourceChecker checker(mesh, rank);
     for (std::size_t i = 0; i < sources.size(); ++i) checker.check(sources[i], i);
 }
 
@@ -307,11 +311,12 @@ void check_options(const Options& options, std::size_t points) {
     if (options.smoothing_passes < 0) invalid_option("The number of smoothing passes must be 0 or more.");
 }
 
-void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges) {
+void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges,
+                         std::span<const std::int32_t> rank) {
     std::vector<std::int32_t> ids;
     for (const auto& [a, b] : edges) {
         const auto exists = [&](std::int32_t v) { return v >= 0 && v < mesh.vertex_slots(); };
-        if (!exists(a) || !exists(b) || !mesh.find_halfedge(Vertex(a), Vertex(b)).is_valid()) ids.insert(ids.end(), {a, b});
+        if (!exists(a) || !exists(b) || !mesh.find_halfedge(mesh_vertex(a, rank), mesh_vertex(b, rank)).is_valid()) ids.insert(ids.end(), {a, b});
     }
     const std::string wrong = count(ids.size() / 2, "feature edge is", "feature edges are");
     reject(ErrorCode::invalid_feature_edge, ElementKind::edge, std::move(ids),

@@ -19,17 +19,18 @@ void check_input(std::span<const Point> points, std::span<const std::array<std::
 
 /// Rejects sources that are not paths of mesh edges, that touch themselves (but for a closed one's end) or each other
 /// elsewhere than at nodes where both end, and passes with a ratio below 1 or fewer than 0 rows.
-/// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
+/// @param mesh fresh from from_arrays() @param rank the mesh's vertex that each input vertex is; empty: the one of the same id
 /// @throws Error{invalid_source, invalid_option}
-void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources);
+void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources, std::span<const std::int32_t> rank = {});
 
 /// Rejects options out of their range, and sizes per vertex that are not one for each of the points.
 /// @throws Error{invalid_option}
 void check_options(const Options& options, std::size_t points = 0);
 
 /// Rejects pairs of vertices that are not edges of the mesh.
-/// @param mesh fresh from from_arrays(), so that vertex i is input vertex i
+/// @param mesh fresh from from_arrays() @param rank the mesh's vertex that each input vertex is; empty: the one of the same id
 /// @throws Error{invalid_feature_edge}
-void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges);
+void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> edges,
+                         std::span<const std::int32_t> rank = {});
 
 }  // namespace anisoquad

@@ -10,7 +10,8 @@ double distance_to(const FacetTree& surface, const FacetTree& triangles) {
     double largest2 = 0.0;
     std::int32_t hint = -1;  // triangles near each other in memory are near each other in space
     const auto look = [&](const Point& p) {
-        const FacetTree::Hit closest = surface.closest(p, FacetTree::kAnyPatch, hint, true);
+        // What is within the largest distance so far can't make it larger.
+        const FacetTree::Hit closest = surface.closest_or_within(p, FacetTree::kAnyPatch, hint, largest2);
         hint = closest.facet;
         if (hint >= 0) largest2 = std::max(largest2, closest.distance2);
     };

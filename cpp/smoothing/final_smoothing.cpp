@@ -23,6 +23,7 @@ constexpr double kLeastFirstStep = 0.02;
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
+constexpr double kUpright = 1e-6;  ///< scaled Jacobian at which rounding no longer chooses the sign
 
 struct Statistics {
     double min = 1.0;
@@ -39,7 +40,7 @@ Statistics statistics(const SurfaceMesh& mesh) {
         if (mesh.is_deleted(f) || !mesh.is_quad(f)) continue;
         const double q = scaled_jacobian(mesh, f);
         s.min = std::min(s.min, q);
-        s.inverted += q <= 0.0 ? 1 : 0;
+        s.inverted += q <= kUpright ? 1 : 0;
         sum += q;
         ++quads;
     }

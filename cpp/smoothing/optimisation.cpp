@@ -40,6 +40,9 @@ bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* referenc
         Point p = chart(x);
         if (reference) p = reference->project(p, star.patch(), facet);
         if (!p.allFinite() || score(star, p) < before + kLeastGain) continue;
+        // Where the surface is thin, the side that a face is seen from can be the other one's: what looks turned over is not
+        // mended by crossing what is not crossed.
+        if (before <= 0.0 && star.crossed(p) > star.crossed(star.centre())) continue;
         // What is turned over is mended first.
         if (reference && before > 0.0 && !star.stays_near(*reference, p)) continue;
         mesh.position(v) = p;

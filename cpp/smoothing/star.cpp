@@ -179,6 +179,20 @@ Star::Quality Star::quality(const Point& p) const {
     return result;
 }
 
+int Star::crossed(const Point& p) const {
+    int count = 0;
+    for (int i = 0; i < size_; ++i) {
+        const Wedge& w = wedges_[static_cast<std::size_t>(i)];
+        if (!w.quad) continue;
+        const Vector3d axes = (w.opposite - p).cross(w.previous - w.next);
+        const std::array<Vector3d, 4> edge{w.next - p, w.opposite - w.next, w.previous - w.opposite, p - w.previous};
+        bool is_convex = true;
+        for (std::size_t k = 0; k < 4; ++k) is_convex = is_convex && axes.dot(edge[(k + 3) % 4].cross(edge[k])) > 0.0;
+        count += is_convex ? 0 : 1;
+    }
+    return count;
+}
+
 double Star::tangle(const Point& p) const {
     const double least = kLeastCornerArea * edge_length_ * edge_length_;
     double sum = 0.0;

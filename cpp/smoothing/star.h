@@ -66,6 +66,8 @@ class Star {
     };
     /// Quality of the faces with the node at p.
     Quality quality(const Point& p) const;
+    /// Quads with a corner that is turned against the quad's own normal, with the node at p: not convex, whatever the side seen from.
+    int crossed(const Point& p) const;
     /// How much the star is folded: sum over the corners next to the node of the squares of what their signed area lacks of a
     /// tenth of the squared mean edge length. 0 = not at all. Convex in a plane, since those areas are linear in p: its
     /// smallest value untangles the star if anything does.

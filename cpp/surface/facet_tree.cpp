@@ -188,11 +188,29 @@ void FacetTree::try_round(const Point& p, std::int32_t corner, std::int32_t firs
     }
 }
 
-FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32_t hint, bool is_exact) const {
-    Hit best{std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()};
-    if (nodes_.empty()) return best;
-    if (hint >= 0 && hint < count() && walk(p, patch, hint, best) && !is_exact) return best;
+namespace {
 
+FacetTree::Hit none() { return {std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()}; }
+
+}  // namespace
+
+FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32_t hint) const {
+    Hit best = none();
+    if (hint >= 0 && hint < count() && walk(p, patch, hint, best)) return best;
+    search(p, patch, best);
+    return best;
+}
+
+FacetTree::Hit FacetTree::closest_or_within(const Point& p, std::int32_t patch, std::int32_t hint, double enough2) const {
+    Hit best = none();
+    if (hint >= 0 && hint < count()) walk(p, patch, hint, best);
+    if (best.distance2 > enough2) search(p, patch, best);
+    return best;
+}
+
+/// The closest point of all facets, if it is closer than the best one so far.
+void FacetTree::search(const Point& p, std::int32_t patch, Hit& best) const {
+    if (nodes_.empty()) return;
     struct Entry {
         std::int32_t node;
         double distance2;
@@ -217,7 +235,6 @@ FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32
         if (far.distance2 <= best.distance2 * kRounding) stack[at(++top)] = far;
         if (near.distance2 <= best.distance2 * kRounding) stack[at(++top)] = near;
     }
-    return best;
 }
 
 }  // namespace anisoquad

@@ -29,8 +29,9 @@ class FacetTree {
 
     /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the answer: a
     ///        closest point of the sheet that the hint lies on. Else all facets are searched.
-    /// @param is_exact all facets are searched in any case; the walk only bounds the search
-    Hit closest(const Point& p, std::int32_t patch, std::int32_t hint, bool is_exact = false) const;
+    Hit closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
+    /// The exact closest point, or, if the walk from the hint finds one within the squared distance `enough2`, any such point.
+    Hit closest_or_within(const Point& p, std::int32_t patch, std::int32_t hint, double enough2) const;
 
     std::int32_t count() const { return static_cast<std::int32_t>(facets_.size()); }
     std::size_t point_count() const { return points_.size(); }
@@ -57,6 +58,7 @@ class FacetTree {
     void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const;
     void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Hit& best) const;
     bool walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit& best) const;
+    void search(const Point& p, std::int32_t patch, Hit& best) const;
 
     std::vector<Point> points_;
     std::vector<std::array<std::int32_t, 3>> facets_;

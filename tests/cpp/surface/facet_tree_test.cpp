@@ -42,7 +42,7 @@ TEST(FacetTree, AWalkFromAnyHintEndsAtTheClosestFacetOrIsFollowedByASearch) {
         const Point p = w * tree.point(t[0]) + 0.5 * (1.0 - w) * (tree.point(t[1]) + tree.point(t[2])) + Point(0.0, 0.0, 1e-5);
         const auto hint = static_cast<std::int32_t>(random() % static_cast<unsigned>(tree.count()));
         const FacetTree::Hit exact = tree.closest(p, FacetTree::kAnyPatch, -1);
-        EXPECT_EQ(tree.closest(p, FacetTree::kAnyPatch, hint, true).facet, exact.facet);
+        EXPECT_EQ(tree.closest_or_within(p, FacetTree::kAnyPatch, hint, -1.0).facet, exact.facet);
         EXPECT_NEAR(std::sqrt(tree.closest(p, FacetTree::kAnyPatch, hint).distance2), std::sqrt(exact.distance2), 1e-4 * tree.diagonal());
     }
 }
