@@ -10,20 +10,20 @@ std::vector<int> segment_open(int edges, int ratio, RampStart start) {
     while (ratio > 1 && ramps(ratio) + ratio > edges) --ratio;
     if (ratio <= 1) return std::vector<int>(static_cast<std::size_t>(edges), 1);
     const int middle = edges - ramps(ratio);
-    const int whole = middle / ratio;
     const int rest = middle % ratio;
+    const bool in_ramp = rest >= std::min(start.front, start.back);
     std::vector<int> segments;
     for (int k = start.front; k < ratio; ++k) segments.push_back(k);
-    segments.insert(segments.end(), static_cast<std::size_t>(whole), ratio);
+    // What fits no ramp makes segments shorter, far from both ends.
+    const int equal = in_ramp ? middle - rest : middle;
+    const int count = (equal + ratio - 1) / ratio;
+    const int shorter = count - equal % count;
+    const int before = (count - shorter) / 2;
+    for (int i = 0; i < count; ++i) segments.push_back(equal / count + (i >= before && i < before + shorter ? 0 : 1));
     for (int k = ratio - 1; k >= start.back; --k) segments.push_back(k);
-    if (rest == 0) return segments;
-    // What is shorter than both ramps' first segments goes where it is far from either.
-    auto place = segments.begin() + static_cast<std::ptrdiff_t>(segments.size() / 2);
-    if (rest >= start.back) {
-        place = std::find_if(segments.rbegin(), segments.rend(), [&](int k) { return k >= rest; }).base();
-    } else if (rest >= start.front) {
-        place = std::find_if(segments.begin(), segments.end(), [&](int k) { return k >= rest; });
-    }
+    if (rest == 0 || !in_ramp) return segments;
+    const auto fits = [&](int k) { return k >= rest; };
+    const auto place = rest >= start.back ? std::find_if(segments.rbegin(), segments.rend(), fits).base() : std::find_if(segments.begin(), segments.end(), fits);
     segments.insert(place, rest);
     return segments;
 }

@@ -45,12 +45,16 @@ TEST(Segmentation, RampsStartWithAsManyEdgesAsAskedFor) {
     for (int ratio = 2; ratio <= 6; ++ratio) {
         for (int front = 1; front <= ratio; ++front) {
             for (int back = 1; back <= ratio; ++back) {
-                for (int edges = ratio * ratio; edges <= 80; ++edges) {
+                for (int edges = 1; edges <= 120; ++edges) {
                     const std::vector<int> s = segment_open(edges, ratio, {front, back});
                     ASSERT_EQ(sum(s), edges);
+                    EXPECT_LE(greatest(s), ratio);
+                    if (edges < 2 * ratio * ratio) continue;
                     EXPECT_EQ(greatest(s), ratio);
                     EXPECT_GE(s.front(), front);
                     EXPECT_GE(s.back(), back);
+                    // None is thinner than both the ramps and the middle: its column would be too slim for the rows.
+                    EXPECT_GE(least(s), std::min({front, back, ratio - 1}));
                 }
             }
         }
