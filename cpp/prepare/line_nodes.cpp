@@ -82,8 +82,7 @@ class Redistribution {
             const Vertex b = line_.nodes[i];
             const double share = length(a, b) / wanted(a, b);
             if (share > kLong || reference_.deviation(line_.line, ways.back(), line_.ways[i]) > options_.deviation) {
-                // So that further splits end with equal parts, not with powers of two of them.
-                const double parts = std::max(2.0, std::round(share));
+                const double parts = options_.equal_parts ? std::max(2.0, std::round(share)) : 2.0;
                 const double t = std::floor(0.5 * parts) / parts;
                 const double middle = (1.0 - t) * ways.back() + t * line_.ways[i];
                 const Point between = (1.0 - t) * mesh_.position(a) + t * mesh_.position(b);

@@ -210,7 +210,7 @@ class Prepare {
             const double diagonal = input_.reference.diagonal();
             const double deviation = input_.lines[static_cast<std::size_t>(chain.line)].is_ridge ? kRidgeSagitta : kLineSagitta;
             changes += redistribute_line_nodes(mesh_, chain, input_.reference_lines, input_.reference,
-                                               {deviation * diagonal, sagitta_, &*coverage_});
+                                               {deviation * diagonal, sagitta_, &*coverage_, is_source(chain)});
         }
         return changes;
     }

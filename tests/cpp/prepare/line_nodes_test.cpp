@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "features/patches.h"
 #include "mesh/arrays.h"
@@ -13,7 +15,7 @@ namespace anisoquad {
 namespace {
 
 /// A cylinder's lower rim is spread anew at the given size.
-std::vector<double> edges_of_rim(double size, double deviation, SurfaceMesh& mesh) {
+std::vector<double> edges_of_rim(double size, double deviation, SurfaceMesh& mesh, bool equal_parts = false) {
     const Surface s = strip_cylinder(48, 12, 0.3);
     mesh = from_arrays(s.points, s.triangles);
     const std::vector<FeatureLine> lines = find_features(mesh, {}, {});
@@ -23,7 +25,7 @@ std::vector<double> edges_of_rim(double size, double deviation, SurfaceMesh& mes
     std::vector<LineNodes> chains = line_nodes(mesh, lines, reference);
     for (int sweep = 0; sweep < 10; ++sweep) {
         for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) mesh.info(Vertex(i)).size = size;
-        redistribute_line_nodes(mesh, chains[0], reference, surface, {deviation, 0.05, nullptr});
+        redistribute_line_nodes(mesh, chains[0], reference, surface, {deviation, 0.05, nullptr, equal_parts});
     }
     EXPECT_TRUE(validate(mesh).empty());
     std::vector<double> lengths;
@@ -41,6 +43,14 @@ TEST(RedistributeLineNodes, LongEdgesAreSplitIntoEqualOnes) {
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     EXPECT_LT(*most, 0.005 * 4.0 / 3.0 + 1e-9);
     EXPECT_LT(*most, 1.5 * *least);
+}
+
+TEST(RedistributeLineNodes, EqualPartsAreAsManyAsFit) {
+    const double edge = 0.2 * std::sin(std::numbers::pi / 48.0);
+    for (const double parts : {2.0, 3.0, 5.0, 7.0}) {
+        SurfaceMesh mesh;
+        for (const double length : edges_of_rim(edge / parts, 1e-3, mesh, true)) EXPECT_NEAR(length, edge / parts, 0.15 * edge / parts);
+    }
 }
 
 TEST(RedistributeLineNodes, ShortEdgesAreMergedAsFarAsTheLineAllows) {
