@@ -23,6 +23,7 @@ constexpr double kFreeShare = 0.3;       // of the way to the next obstacle that
 constexpr double kFreeShareLater = 0.1;  // more for each later pass
 constexpr double kReserve = 3.0;        // heights that are left to each later pass
 constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
+constexpr double kColumnAtEnd = 1.0;    // least width of the merged end columns over the height of the uppermost row
 constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
 constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
 
@@ -196,7 +197,8 @@ class MultiPass {
             std::size_t last = first + 1;
             while (!kept[last]) ++last;
             const int edges = static_cast<int>(last - first);
-            const auto segments = line.closed && !cut ? segment_closed(edges, ratio) : segment_open(edges, ratio);
+            const auto segments = line.closed && !cut ? segment_closed(edges, ratio)
+                                                             : segment_open(edges, ratio, {ramp_start(s, first, last, ratio), ramp_start(s, last, first, ratio)});
             const auto accept = [&](int a, int b) {
                 const std::size_t from = first + static_cast<std::size_t>(a);
                 const std::size_t to = first + static_cast<std::size_t>(b);
@@ -212,6 +214,24 @@ class MultiPass {
             first = last;
         }
         return kept;
+    }
+
+    /// Edges of the first segment of the ramp at one end of a part of the source: as few as make its column wide enough for the rows
+    /// that follow, which get higher and higher.
+    int ramp_start(std::size_t s, std::size_t end, std::size_t other, int ratio) const {
+        const std::vector<Vertex>& nodes = lines_[s].nodes;
+        double height = 0.0;
+        for (const RowStack& stack : stacks_) {
+            if (stack.source != static_cast<std::int32_t>(s) || stack.closed) continue;
+            if (stack.layers[0].front() == nodes[end]) height = std::max(height, stack.height(mesh_, 0));
+            if (stack.layers[0].back() == nodes[end]) height = std::max(height, stack.height(mesh_, stack.columns()));
+        }
+        int n = 1;
+        for (std::size_t i = end; n < ratio; ++n) {
+            i = end < other ? i + 1 : i - 1;
+            if (i == other || (mesh_.position(nodes[i]) - mesh_.position(nodes[end])).norm() >= kColumnAtEnd * height) break;
+        }
+        return n;
     }
 
     /// Smallest height of the rows next to the source, which a merged edge must not cut off.

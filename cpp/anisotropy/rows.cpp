@@ -26,6 +26,7 @@ constexpr double kAhead = 1.3;              // heights that must be free even of
 constexpr double kSlimmest = 4.0;            // height over width of one column
 constexpr double kSharpTurn = 0.5;           // radians by which the front turns at a corner
 constexpr double kLeastQuality = 0.25;      // scaled Jacobian of a row quad
+constexpr double kLeastTriangle = 0.01;      // quality of the triangles round a node that is put into the row
 constexpr double kEvenOut = 0.15;            // share of a column's displacement along the row that one row takes back
 constexpr double kMostLean = 0.5;           // of a column for that, per height
 constexpr double kOverEnds = 1.25;           // height over that of the end columns, or the rows tilt
@@ -320,7 +321,7 @@ class RowBuilder {
             const Point kept = at(nearest);
             const Vector3d normal = node_normal(mesh_, nearest);
             mesh_.position(nearest) = end.position;
-            if (worst_quality(mesh_, nearest, normal) > 0.01) {
+            if (worst_quality(mesh_, nearest, normal) > kLeastTriangle) {
                 mesh_.info(nearest).input = -1;
                 return nearest;
             }
@@ -335,7 +336,13 @@ class RowBuilder {
             if (distance > 0.1 * along.norm() || t < 0.05 || t > 0.95) continue;
             if (is_front(mesh_, h) || is_front(mesh_, M::twin(h)) || mesh_.is_constrained(M::edge(h))) continue;
             if (!mesh_.is_triangle(mesh_.face(M::twin(h)))) continue;
-            return split_edge(mesh_, M::edge(h), at(mesh_.from(h)) + t * along);
+            const Vertex v = split_edge(mesh_, M::edge(h), at(mesh_.from(h)) + t * along);
+            // Beside the edge all the same, where it can be: columns that jump to edges run ever more unevenly.
+            const Point foot = at(v);
+            const Vector3d normal = node_normal(mesh_, v);
+            mesh_.position(v) = end.position;
+            if (!(worst_quality(mesh_, v, normal) > kLeastTriangle)) mesh_.position(v) = foot;
+            return v;
         }
         return split_face(mesh_, end.face, end.position);
     }

@@ -4,19 +4,27 @@
 
 namespace anisoquad {
 
-std::vector<int> segment_open(int edges, int ratio) {
-    const auto ramps = [](int k) { return k * (k - 1); };  // both ramps 1 … k − 1
+std::vector<int> segment_open(int edges, int ratio, RampStart start) {
+    const auto ramp = [](int first, int k) { return first < k ? (k - first) * (k + first - 1) / 2 : 0; };  // first … k − 1
+    const auto ramps = [&](int k) { return ramp(start.front, k) + ramp(start.back, k); };
     while (ratio > 1 && ramps(ratio) + ratio > edges) --ratio;
     if (ratio <= 1) return std::vector<int>(static_cast<std::size_t>(edges), 1);
-    std::vector<int> segments;
-    for (int k = 1; k < ratio; ++k) segments.push_back(k);
     const int middle = edges - ramps(ratio);
-    for (int i = 0; i < middle / ratio; ++i) segments.push_back(ratio);
     const int rest = middle % ratio;
-    for (int k = ratio - 1; k >= 1; --k) {
-        if (k == rest) segments.push_back(rest);
-        segments.push_back(k);
-    }
+    const bool in_ramp = rest >= std::min(start.front, start.back);
+    std::vector<int> segments;
+    for (int k = start.front; k < ratio; ++k) segments.push_back(k);
+    // What fits no ramp makes segments shorter, far from both ends.
+    const int equal = in_ramp ? middle - rest : middle;
+    const int count = (equal + ratio - 1) / ratio;
+    const int shorter = count - equal % count;
+    const int before = (count - shorter) / 2;
+    for (int i = 0; i < count; ++i) segments.push_back(equal / count + (i >= before && i < before + shorter ? 0 : 1));
+    for (int k = ratio - 1; k >= start.back; --k) segments.push_back(k);
+    if (rest == 0 || !in_ramp) return segments;
+    const auto fits = [&](int k) { return k >= rest; };
+    const auto place = rest >= start.back ? std::find_if(segments.rbegin(), segments.rend(), fits).base() : std::find_if(segments.begin(), segments.end(), fits);
+    segments.insert(place, rest);
     return segments;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/euler_operators.h"
 #include "prepare/collapse_check.h"
@@ -81,9 +82,11 @@ class Redistribution {
             const Vertex b = line_.nodes[i];
             const double share = length(a, b) / wanted(a, b);
             if (share > kLong || reference_.deviation(line_.line, ways.back(), line_.ways[i]) > options_.deviation) {
-                const double middle = 0.5 * (ways.back() + line_.ways[i]);
-                const Point half = 0.5 * (mesh_.position(a) + mesh_.position(b));
-                const Vertex v = split_covered_edge(mesh_, M::edge(mesh_.find_halfedge(a, b)), half, options_.coverage);
+                const double parts = options_.equal_parts ? std::max(2.0, std::round(share)) : 2.0;
+                const double t = std::floor(0.5 * parts) / parts;
+                const double middle = (1.0 - t) * ways.back() + t * line_.ways[i];
+                const Point between = (1.0 - t) * mesh_.position(a) + t * mesh_.position(b);
+                const Vertex v = split_covered_edge(mesh_, M::edge(mesh_.find_halfedge(a, b)), between, options_.coverage);
                 mesh_.info(v).line = line_.line;
                 // Off the straight edge only where no triangle beside it is turned over.
                 place(v, reference_.at(line_.line, middle));

@@ -22,6 +22,8 @@ struct LineOptions {
     double deviation = 0.0;        ///< of line edges from the input's line, in mesh units
     double sagitta = 0.0;          ///< of triangles from the surface, in mesh units
     Coverage* coverage = nullptr;  ///< also guards the input against being left uncovered
+    bool equal_parts = false;      ///< long edges are split into as many equal parts as fit their size; else halved, so that lines beside
+                                   ///< each other get the same nodes
 };
 
 /// @param lines with their nodes still at the input's places

@@ -10,6 +10,7 @@
 #include "prepare/remesh.h"
 #include "prepare/size_field.h"
 #include "prepare/size_range.h"
+#include "prepare/source_spacing.h"
 
 namespace anisoquad {
 namespace {
@@ -28,6 +29,8 @@ constexpr double kMostTriangles = 6.0;   ///< that may be made of one, where no 
 constexpr double kFewTriangles = 2000.0;  ///< that may be made in any case
 constexpr double kAlongSource = 2.0;    ///< wanted length of merged edges over the largest size
 constexpr double kMostRefinement = 8.0;  ///< of the edges along a source
+constexpr double kWidthOverHeight = 1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
+constexpr double kFinestSource = 1.0 / 64.0;  ///< least edges along a source for the rows at its ends, over the largest size
 constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wanted spread the remeshing to the patch behind them
 
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
@@ -48,17 +51,18 @@ class Prepare {
         SizeField field = make_field();
         coverage_.emplace(mesh_, range_.smallest, kUncovered * sagitta_);
         chains_ = line_nodes(mesh_, input_.lines, input_.reference_lines);
+        bound_sources();
         spread(field);
         result_.patches = static_cast<std::int32_t>(std::count(chosen_.begin(), chosen_.end(), 1));
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             context_.report(static_cast<double>(sweep) / kSweeps);
             // Lines first, as often as they still double: the triangles beside them follow.
             for (int i = 0; i < kSweeps; ++i) {
-                field.assign(mesh_, hint_, kept_edges());
+                field.assign(mesh_, hint_, kept_edges(), source_bounds());
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
-            field.assign(mesh_, hint_, line_edges());
+            field.assign(mesh_, hint_, line_edges(), source_bounds());
             std::vector<char> zone = zone_of_patches();
             const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
@@ -121,6 +125,33 @@ class Prepare {
         }
     }
 
+    bool is_source(const LineNodes& chain) const {
+        const std::int32_t s = input_.lines[static_cast<std::size_t>(chain.line)].source;
+        return s >= 0 && !sources_[static_cast<std::size_t>(s)].passes.empty();
+    }
+
+    /// Edges along sources suit the height that the rows can have at the ends.
+    void bound_sources() {
+        if (std::none_of(chains_.begin(), chains_.end(), [&](const LineNodes& chain) { return is_source(chain); })) return;
+        const SourceSpacingOptions options{range_.largest, kFinestSource * range_.largest, kLineSagitta * input_.reference.diagonal()};
+        for (std::size_t s = 0; s < sources_.size(); ++s) {
+            source_bound_.push_back(kWidthOverHeight * source_spacing(mesh_, chains_, input_.lines, input_.reference_lines, static_cast<std::int32_t>(s), options));
+        }
+    }
+
+    /// Per vertex: bound of the size on sources, 0 = none; empty where no source has rows.
+    std::vector<double> source_bounds() const {
+        if (source_bound_.empty()) return {};
+        std::vector<double> bounds;
+        bounds.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+        for (const LineNodes& chain : chains_) {
+            if (!is_source(chain)) continue;
+            const double bound = source_bound_[static_cast<std::size_t>(input_.lines[static_cast<std::size_t>(chain.line)].source)];
+            for (const Vertex v : chain.nodes) bounds[static_cast<std::size_t>(v.index())] = bound;
+        }
+        return bounds;
+    }
+
     bool is_chosen(HalfEdge h) const {
         return !mesh_.is_boundary(h) && chosen_[static_cast<std::size_t>(mesh_.info(mesh_.face(h)).patch)] != 0;
     }
@@ -179,7 +210,7 @@ class Prepare {
             const double diagonal = input_.reference.diagonal();
             const double deviation = input_.lines[static_cast<std::size_t>(chain.line)].is_ridge ? kRidgeSagitta : kLineSagitta;
             changes += redistribute_line_nodes(mesh_, chain, input_.reference_lines, input_.reference,
-                                               {deviation * diagonal, sagitta_, &*coverage_});
+                                               {deviation * diagonal, sagitta_, &*coverage_, is_source(chain)});
         }
         return changes;
     }
@@ -220,6 +251,7 @@ class Prepare {
     std::vector<LineNodes> chains_;
     std::vector<std::int32_t> hint_;
     std::vector<double> vertex_size_;
+    std::vector<double> source_bound_;  ///< per source, of the edges along it; empty: no source has rows
 };
 
 }  // namespace

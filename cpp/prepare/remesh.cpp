@@ -23,6 +23,45 @@ constexpr double kShort = 0.85;
 
 bool is_in(std::span<const char> patches, std::int32_t patch) { return patches.empty() || patches[static_cast<std::size_t>(patch)] != 0; }
 
+/// Cosine and sine of the angle at r in the triangle p q r.
+void opposite_angle(const Point& p, const Point& q, const Point& r, double& cosine, double& sine) {
+    const Vector3d a = p - r;
+    const Vector3d b = q - r;
+    cosine = a.dot(b);
+    sine = a.cross(b).norm();
+}
+
+/// Swaps one edge if that makes it Delaunay and keeps the surface.
+bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& reference, const RemeshOptions& options, std::int32_t& hint) {
+    const HalfEdge h = M::halfedge(e);
+    if (!is_flip_ok(mesh, e) || !is_in(options.patches, mesh.info(mesh.face(h)).patch)) return false;
+    const Point& p = mesh.position(mesh.from(h));
+    const Point& q = mesh.position(mesh.to(h));
+    const Point& l = mesh.position(mesh.to(mesh.next(h)));
+    const Point& r = mesh.position(mesh.to(mesh.next(M::twin(h))));
+    double cl = 0.0, sl = 0.0, cr = 0.0, sr = 0.0;
+    opposite_angle(p, q, l, cl, sl);
+    opposite_angle(p, q, r, cr, sr);
+    // sin(angle sum) < 0: the sum is above π.
+    const double scale = std::sqrt((cl * cl + sl * sl) * (cr * cr + sr * sr));
+    if (sl * cr + cl * sr > -1e-6 * scale) return false;
+    if (!flip_keeps_surface(mesh, e, kLeastFold)) return false;
+    const std::int32_t patch = mesh.info(mesh.face(h)).patch;
+    const SurfacePoint now = reference.closest(0.5 * (p + q), patch, hint);
+    hint = now.facet;
+    if (reference.closest(0.5 * (l + r), patch, hint).distance > std::max(options.deviation * reference.diagonal(), now.distance)) return false;
+    if (!options.coverage) {
+        flip(mesh, e);
+        return true;
+    }
+    options.coverage->lift(mesh, e);
+    const std::array<Coverage::Triangle, 2> after{{{p, r, l}, {q, l, r}}};
+    const bool covered = options.coverage->is_covered_by(after);
+    if (covered) flip(mesh, e);
+    options.coverage->drop(mesh, e);
+    return covered;
+}
+
 class Remesh {
   public:
     Remesh(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference, const RemeshOptions& options)
@@ -105,6 +144,30 @@ class Remesh {
             mesh_.position(v) = reference_.project(kept, mesh_.info(mesh_.face(mesh_.halfedge(v))).patch, hint);
             if (worst_quality(mesh_, v, node_normal(mesh_, v)) <= 0.0) mesh_.position(v) = kept;
             ++result_.splits;
+            swap_round(v);
+        }
+    }
+
+    /// Swaps opposite to a new node as far as they go (Lawson): long thin triangles are not cut into ever thinner ones.
+    void swap_round(Vertex v) {
+        stack_.clear();
+        for (const HalfEdge h : mesh_.outgoing(v)) {
+            if (!mesh_.is_boundary(h)) stack_.push_back(M::edge(mesh_.next(h)));
+        }
+        std::int32_t hint = -1;
+        while (!stack_.empty()) {
+            const Edge e = stack_.back();
+            stack_.pop_back();
+            if (!is_candidate(e)) continue;
+            const HalfEdge h = M::halfedge(e);
+            const HalfEdge far = mesh_.to(mesh_.next(h)) == v ? M::twin(h) : h;
+            if (mesh_.to(mesh_.next(M::twin(far))) != v) continue;
+            const Edge first = M::edge(mesh_.next(far));
+            const Edge second = M::edge(mesh_.prev(far));
+            if (!flip_towards_delaunay(mesh_, e, reference_, options_, hint)) continue;
+            ++result_.flips;
+            stack_.push_back(first);
+            stack_.push_back(second);
         }
     }
 
@@ -135,21 +198,13 @@ class Remesh {
     const RemeshOptions& options_;
     double deviation_;
     RemeshResult result_;
+    std::vector<Edge> stack_;
 };
-
-/// Cosine and sine of the angle at r in the triangle p q r.
-void opposite_angle(const Point& p, const Point& q, const Point& r, double& cosine, double& sine) {
-    const Vector3d a = p - r;
-    const Vector3d b = q - r;
-    cosine = a.dot(b);
-    sine = a.cross(b).norm();
-}
 
 }  // namespace
 
 std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& zone, const ReferenceSurface& reference,
                                    const RemeshOptions& options) {
-    const double deviation = options.deviation * reference.diagonal();
     std::int32_t hint = -1;
     std::int32_t flips = 0;
     const auto inside = [&](Vertex v) { return v.index() < static_cast<std::int32_t>(zone.size()) && zone[static_cast<std::size_t>(v.index())]; };
@@ -160,33 +215,7 @@ std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& z
             if (mesh.is_deleted(e) || mesh.is_constrained(e)) continue;
             const HalfEdge h = M::halfedge(e);
             if (!inside(mesh.from(h)) && !inside(mesh.to(h))) continue;
-            if (!is_flip_ok(mesh, e) || !is_in(options.patches, mesh.info(mesh.face(h)).patch)) continue;
-            const Point& p = mesh.position(mesh.from(h));
-            const Point& q = mesh.position(mesh.to(h));
-            const Point& l = mesh.position(mesh.to(mesh.next(h)));
-            const Point& r = mesh.position(mesh.to(mesh.next(M::twin(h))));
-            double cl = 0.0, sl = 0.0, cr = 0.0, sr = 0.0;
-            opposite_angle(p, q, l, cl, sl);
-            opposite_angle(p, q, r, cr, sr);
-            // sin(angle sum) < 0: the sum is above π.
-            const double scale = std::sqrt((cl * cl + sl * sl) * (cr * cr + sr * sr));
-            if (sl * cr + cl * sr > -1e-6 * scale) continue;
-            if (!flip_keeps_surface(mesh, e, kLeastFold)) continue;
-            const std::int32_t patch = mesh.info(mesh.face(h)).patch;
-            const SurfacePoint now = reference.closest(0.5 * (p + q), patch, hint);
-            hint = now.facet;
-            if (reference.closest(0.5 * (l + r), patch, hint).distance > std::max(deviation, now.distance)) continue;
-            if (options.coverage) {
-                options.coverage->lift(mesh, e);
-                const std::array<Coverage::Triangle, 2> after{{{p, r, l}, {q, l, r}}};
-                const bool covered = options.coverage->is_covered_by(after);
-                if (covered) flip(mesh, e);
-                options.coverage->drop(mesh, e);
-                flips += covered;
-                continue;
-            }
-            flip(mesh, e);
-            ++flips;
+            flips += flip_towards_delaunay(mesh, e, reference, options, hint);
         }
         if (flips == before) break;
     }

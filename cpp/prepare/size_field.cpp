@@ -128,7 +128,7 @@ double SizeField::size_at(const SurfaceMesh& mesh, Vertex v, std::int32_t& hint)
     return size;
 }
 
-void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept) const {
+void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept, std::span<const double> most) const {
     struct Bound {
         double size;
         Vertex v;
@@ -144,6 +144,8 @@ void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::
             const auto e = static_cast<std::size_t>(M::edge(h).index());
             if (e < kept.size() && kept[e]) size = std::min(size, mesh.length(h));
         }
+        const auto slot = static_cast<std::size_t>(i);
+        if (slot < most.size() && most[slot] > 0.0) size = std::min(size, most[slot]);
         mesh.info(v).size = size;
         queue.push({size, v});
     }

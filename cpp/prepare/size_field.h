@@ -36,7 +36,8 @@ class SizeField {
     /// Writes VertexInfo::size of all nodes of the mesh: the field at the node, then bounded growth along the mesh's edges.
     /// @param hint per vertex slot, facets near the nodes; kept up to date, may be empty at first
     /// @param kept per edge slot or empty: nonzero for edges of lines that stay as they are; nodes there get their length
-    void assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept) const;
+    /// @param most per vertex slot or empty: bounds from above, 0 = none
+    void assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept, std::span<const double> most = {}) const;
 
   private:
     double size_at_ridge(double radius) const;

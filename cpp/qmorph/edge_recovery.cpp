@@ -1,6 +1,7 @@
 #include "qmorph/edge_recovery.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -16,6 +17,7 @@ using M = SurfaceMesh;
 using Eigen::Vector3d;
 
 constexpr int kMostCrossed = 400;
+constexpr int kMostRounds = 4;           // of taking nodes out of the way
 constexpr double kTouching = 0.15;      // distance of a node from the line, over the line's length
 constexpr double kInTheWay = 0.5;         // the same for a node that is taken away from it
 constexpr double kLeastFold = 0.3;       // cosine between the triangles of a swapped edge
@@ -41,10 +43,11 @@ class EdgeRecovery {
                 if (!collect_crossed()) return {};
             }
         }
-        const HalfEdge made = swap_crossed();
-        if (made.is_valid()) return made;
-        if (!collect_crossed() || !clear_line() || !collect_crossed()) return mesh_.find_halfedge(a_, b_);
-        return swap_crossed();
+        for (int round = 0;; ++round) {
+            const HalfEdge made = swap_crossed();
+            if (made.is_valid()) return made;
+            if (round == kMostRounds || !collect_crossed() || !clear_line() || !collect_crossed()) return mesh_.find_halfedge(a_, b_);
+        }
     }
 
   private:
@@ -116,7 +119,8 @@ class EdgeRecovery {
         return (side(p) > 0.0) != (side(q) > 0.0);
     }
 
-    /// Free nodes that the line all but touches leave no convex pair to swap: they are pushed off it, or merged into an end.
+    /// Free nodes that the line all but touches leave no convex pair to swap: they are pushed off it, or merged into an end or what else
+    /// is beside them.
     bool clear_line() {
         bool changed = false;
         for (const Edge e : crossed_) {
@@ -142,7 +146,7 @@ class EdgeRecovery {
                     continue;
                 }
                 changed = push_off(v, (distance > 0.0 ? 1.0 : -1.0) * across, kTouching * line_.norm() - std::abs(distance)) ||
-                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || changed;
+                          merge_into(v, along < 0.5 ? a_ : b_) || merge_away(v, distance > 0.0) || remove(v) || changed;
                 if (mesh_.is_deleted(e)) break;
             }
         }
@@ -182,6 +186,60 @@ class EdgeRecovery {
             if (doubled_area(end, p, q) <= 0.0) return false;
         }
         collapse(mesh_, h);
+        return true;
+    }
+
+    /// Of a triangle seen along the strip's normal: doubled area over the sum of squared edges.
+    double quality_of(Vertex p, Vertex q, Vertex r) const {
+        return doubled_area(p, q, r) / ((at(q) - at(p)).squaredNorm() + (at(r) - at(q)).squaredNorm() + (at(p) - at(r)).squaredNorm());
+    }
+
+    /// Worst triangle that a merge would leave.
+    double worst_after_merge(HalfEdge h) const {
+        const Vertex end = mesh_.to(h);
+        double worst = 1.0;
+        for (const HalfEdge out : mesh_.outgoing(mesh_.from(h))) {
+            const Vertex p = mesh_.to(out);
+            const Vertex q = mesh_.to(mesh_.next(out));
+            if (p == end || q == end) continue;
+            worst = std::min(worst, quality_of(end, p, q));
+        }
+        return worst;
+    }
+
+    /// Takes out a node among others that all but lie on the line, by swaps that leave it with three edges; where none can be swapped any
+    /// more, by a merge.
+    bool remove(Vertex v) {
+        while (mesh_.valence(v) > 3) {
+            Edge best;
+            double quality = 1e-6;
+            for (const HalfEdge out : mesh_.outgoing(v)) {
+                const Vertex q = mesh_.to(out);
+                const Vertex l = mesh_.to(mesh_.next(out));
+                const Vertex r = mesh_.to(mesh_.next(M::twin(out)));
+                const double here = quality_of(q, l, r);
+                if (here <= quality || doubled_area(v, r, l) <= 0.0 || !is_flip_ok(mesh_, M::edge(out))) continue;
+                quality = here;
+                best = M::edge(out);
+            }
+            if (!best.is_valid()) return merge_best(v);
+            flip(mesh_, best);
+        }
+        return merge_best(v);
+    }
+
+    /// Merges a node into the neighbour that leaves the best triangles.
+    bool merge_best(Vertex v) {
+        HalfEdge best;
+        double quality = 0.0;
+        for (const HalfEdge out : mesh_.outgoing(v)) {
+            const double here = worst_after_merge(out);
+            if (here <= quality || !is_collapse_ok(mesh_, out)) continue;
+            quality = here;
+            best = out;
+        }
+        if (!best.is_valid()) return false;
+        collapse(mesh_, best);
         return true;
     }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "prepare/strip_cylinder.h"
 #include "quad_mesh_checks.h"
 #include "wing_file.h"
 
@@ -76,6 +77,29 @@ TEST(QuadMeshWithSources, OnAnEdgeOfACube) {
         edge.push_back(static_cast<std::int32_t>(p - shape.points.begin()));
     }
     expect_good_with(shape, {source(edge, {{3, 0}})});
+}
+
+TEST(QuadMeshWithSources, AlongTheNoseOfALoftAtEverySize) {
+    const Surface nose = strip_nose();
+    for (const double size : {0.01, 0.015, 0.02, 0.03, 0.045}) {
+        for (const int anisotropy : {4, 16}) {
+            Options options;
+            options.size = size;
+            const std::vector<Source> sources{source({0, 1}, passes_for_anisotropy(anisotropy))};
+            const QuadMeshResult result = quad_mesh(nose.points, nose.triangles, sources, options);
+            EXPECT_EQ(result.report.inverted, 0) << size;
+            EXPECT_EQ(result.report.triangles_left, 0) << size;
+            ASSERT_GE(result.report.passes.size(), 2U);
+            for (const PassReport& pass : result.report.passes) {
+                if (pass.pass > 1) continue;
+                EXPECT_GE(pass.rows, 1) << size << ", 1:" << anisotropy << ", " << pass.side << ": " << pass.stopped;
+            }
+            // Columns start about as wide as the rows are high, so that merged they are as long as was asked for.
+            ASSERT_FALSE(result.report.rows.empty());
+            EXPECT_GT(result.report.rows[0].aspect_mean, 0.6 * anisotropy) << size;
+            EXPECT_LT(result.report.rows[0].aspect_mean, 2.5 * anisotropy) << size;
+        }
+    }
 }
 
 TEST(QuadMeshWithSources, OneSideOnly) {

@@ -57,9 +57,19 @@ class Wing(PartTest):
         self.doc.WingTip.Placement.Base.x = 0.25 * 500.0 + 0.2 * 1300.0
         self.doc.recompute()
         self.assert_good(quads, self.wing.Shape)
+        self.assert_rows(quads)
         self.assertAlmostEqual(quads.FemMesh.BoundBox.YMax, before + 300.0, places=6)
         self.assertEqual(quads.Sources[0].Edges, (self.wing, [self.edge]))
         self.assertAlmostEqual(quads.Sources[0].Length.Value, self.wing.Shape.getElement(self.edge).Length, places=3)
+
+    def test_rows_come_at_every_size(self):
+        quads = self.make(options=anisoquad.Options(size=15.0))
+        for size in (15.0, 20.0, 30.0, 45.0):
+            with self.subTest(size=size):
+                quads.Size = size
+                self.doc.recompute()
+                self.assert_good(quads, self.wing.Shape)
+                self.assert_rows(quads)
 
     def test_patches_and_groups_are_those_of_the_faces_and_edges(self):
         quads = self.make()

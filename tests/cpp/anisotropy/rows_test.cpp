@@ -101,6 +101,22 @@ TEST(RowBuilding, TheEndColumnsTakeTheNodesOfTheLinesThere) {
     }
 }
 
+TEST(RowBuilding, ColumnsStayEvenOverUnevenTriangles) {
+    shapes::Shape shape = shapes::grid(24, 16);
+    for (std::size_t i = 25; i < shape.points.size(); ++i) {
+        Point& q = shape.points[i];
+        const auto k = static_cast<double>(i);
+        if (i % 25 != 0 && i % 25 != 24) q += Point(0.25 * std::sin(78.2 * k), 0.25 * std::sin(37.7 * k), 0.0);
+    }
+    Rows p(shape, {source(path(0, 24, 1))});
+    for (std::size_t j = 1; j <= 6; ++j) {
+        ASSERT_TRUE(p.build(0)) << p.stacks[0].stopped;
+        const auto& layer = p.stacks[0].layers[j];
+        for (std::size_t i = 0; i + 1 < layer.size(); ++i) EXPECT_NEAR((p.mesh.position(layer[i + 1]) - p.mesh.position(layer[i])).norm(), 1.0, 0.15) << j;
+    }
+    expect_good(p);
+}
+
 TEST(RowBuilding, StopBeforeTheOtherSide) {
     Rows p(shapes::grid(16, 12), {source(path(0, 16, 1))});
     const std::size_t rows = build_all(p, 0);

@@ -38,6 +38,29 @@ TEST(Segmentation, OfOpenSourcesRisesAndFallsByOne) {
     }
 }
 
+TEST(Segmentation, RampsStartWithAsManyEdgesAsAskedFor) {
+    EXPECT_EQ(segment_open(22, 4, {2, 2}), (std::vector{2, 3, 4, 4, 4, 3, 2}));
+    EXPECT_EQ(segment_open(23, 4, {1, 2}), (std::vector{1, 2, 3, 4, 4, 4, 3, 2}));
+    EXPECT_EQ(segment_open(8, 2, {2, 2}), (std::vector{2, 2, 2, 2}));
+    for (int ratio = 2; ratio <= 6; ++ratio) {
+        for (int front = 1; front <= ratio; ++front) {
+            for (int back = 1; back <= ratio; ++back) {
+                for (int edges = 1; edges <= 120; ++edges) {
+                    const std::vector<int> s = segment_open(edges, ratio, {front, back});
+                    ASSERT_EQ(sum(s), edges);
+                    EXPECT_LE(greatest(s), ratio);
+                    if (edges < 2 * ratio * ratio) continue;
+                    EXPECT_EQ(greatest(s), ratio);
+                    EXPECT_GE(s.front(), front);
+                    EXPECT_GE(s.back(), back);
+                    // None is thinner than both the ramps and the middle: its column would be too slim for the rows.
+                    EXPECT_GE(least(s), std::min({front, back, ratio - 1}));
+                }
+            }
+        }
+    }
+}
+
 TEST(Segmentation, OfClosedSourcesIsEvenWithoutRamp) {
     for (int ratio = 2; ratio <= 8; ++ratio) {
         for (int edges = 3; edges <= 200; ++edges) {

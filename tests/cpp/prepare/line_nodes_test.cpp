@@ -13,7 +13,7 @@ namespace anisoquad {
 namespace {
 
 /// A cylinder's lower rim is spread anew at the given size.
-std::vector<double> edges_of_rim(double size, double deviation, SurfaceMesh& mesh) {
+std::vector<double> edges_of_rim(double size, double deviation, SurfaceMesh& mesh, bool equal_parts = false) {
     const Surface s = strip_cylinder(48, 12, 0.3);
     mesh = from_arrays(s.points, s.triangles);
     const std::vector<FeatureLine> lines = find_features(mesh, {}, {});
@@ -23,7 +23,7 @@ std::vector<double> edges_of_rim(double size, double deviation, SurfaceMesh& mes
     std::vector<LineNodes> chains = line_nodes(mesh, lines, reference);
     for (int sweep = 0; sweep < 10; ++sweep) {
         for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) mesh.info(Vertex(i)).size = size;
-        redistribute_line_nodes(mesh, chains[0], reference, surface, {deviation, 0.05, nullptr});
+        redistribute_line_nodes(mesh, chains[0], reference, surface, {deviation, 0.05, nullptr, equal_parts});
     }
     EXPECT_TRUE(validate(mesh).empty());
     std::vector<double> lengths;
@@ -41,6 +41,16 @@ TEST(RedistributeLineNodes, LongEdgesAreSplitIntoEqualOnes) {
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     EXPECT_LT(*most, 0.005 * 4.0 / 3.0 + 1e-9);
     EXPECT_LT(*most, 1.5 * *least);
+}
+
+TEST(RedistributeLineNodes, EqualPartsFitTheSizeToo) {
+    for (const double size : {0.0015, 0.0022, 0.0031, 0.005}) {
+        SurfaceMesh mesh;
+        const std::vector<double> lengths = edges_of_rim(size, 1e-3, mesh, true);
+        const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
+        EXPECT_LT(*most, size * 4.0 / 3.0 + 1e-9);
+        EXPECT_GT(*least, 0.6 * size);
+    }
 }
 
 TEST(RedistributeLineNodes, ShortEdgesAreMergedAsFarAsTheLineAllows) {

@@ -119,6 +119,18 @@ TEST(PrepareTriangles, SizesGivenPerVertexGradeTheTriangles) {
     EXPECT_NEAR(high / highs, 0.04, 0.01);
 }
 
+TEST(PrepareTriangles, StripsFarThinnerThanTheSizeLeaveNoSliversAlongASource) {
+    const Surface s = strip_nose();
+    for (const double size : {0.01, 0.015, 0.03, 0.05}) {
+        Options options;
+        options.size = size;
+        const Prepared p = prepare(s, {Source{{0, 1}, passes_for_anisotropy(16), Sides::both}}, options);
+        EXPECT_TRUE(validate(p.mesh).empty());
+        EXPECT_EQ(topology(p.mesh), p.before);
+        EXPECT_GT(smallest_shape(p.mesh), 0.05) << size;
+    }
+}
+
 TEST(PrepareTriangles, NothingIsDoneWhereItIsSwitchedOff) {
     const Surface s = strip_cylinder(24, 1, 1.0);
     Options options;

@@ -40,10 +40,21 @@ TEST(EdgeRecovery, SwapsAloneMakeLinesThatMissAllNodes) {
 }
 
 TEST(EdgeRecovery, ANodeOnTheLineGivesWay) {
-    for (const int steps : {2, 3}) {
+    for (const int steps : {2, 3, 5, 7}) {
         Prepared p(shapes::grid(10, 10));
-        const int a = 3 + 11 * 3;
+        const int a = 2 + 11 * 3;
         expect_recovered(p, a, a + steps);
+    }
+}
+
+TEST(EdgeRecovery, NodesThatAllButLieOnTheLineGiveWay) {
+    for (const double off : {1e-6, 1e-3, 0.02}) {
+        shapes::Shape shape = shapes::grid(12, 8);
+        for (int i = 3; i < 10; ++i) shape.points[static_cast<std::size_t>(4 * 13 + i)].y() += off * std::sin(9.0 * i);
+        for (const int steps : {4, 6, 8}) {
+            Prepared p(shape);
+            expect_recovered(p, 4 * 13 + 2, 4 * 13 + 2 + steps);
+        }
     }
 }
 
