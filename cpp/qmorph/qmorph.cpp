@@ -20,6 +20,7 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
+constexpr int kMostEdgesAtTransition = 16;  // of the nodes at a transition seam or split
 constexpr int kTries = 4;  // of one front edge before it is left to finish_remaining()
 
 /// A front edge that waits: fewer right or left bits unset first, then lower level, then shorter, then lower index.
@@ -114,8 +115,7 @@ class QMorph {
     bool try_seam(HalfEdge h) {
         const SeamKind kind = classify_seam(mesh_, h);
         if (kind == SeamKind::none) return false;
-        // Splits and seams can undo each other; a bound for their number keeps the work per triangle limited.
-        if (kind != SeamKind::seam && 10 * result_.transitions > triangles_ + 100) return false;
+        if (kind != SeamKind::seam && !may_make_transition(h)) return false;
         const std::int32_t level = state(h).level;
         const Vertex node = mesh_.to(h);
         if (kind == SeamKind::seam) {
@@ -142,6 +142,14 @@ class QMorph {
         refresh(m, level);
         refresh(node, level);
         return true;
+    }
+
+    /// Splits and seams can undo each other: a bound for their number keeps the work per triangle limited. Each leaves an edge more
+    /// at a node beside it, which tells where they follow each other at one place.
+    bool may_make_transition(HalfEdge h) const {
+        if (10 * result_.transitions > triangles_ + 100) return false;
+        const std::array<Vertex, 3> nodes{mesh_.from(h), mesh_.to(h), mesh_.to(next_front(mesh_, h))};
+        return std::all_of(nodes.begin(), nodes.end(), [&](Vertex v) { return mesh_.valence(v) <= kMostEdgesAtTransition; });
     }
 
     /// New front edges at the node get the level; all front edges there, and those next to them, are classified anew.

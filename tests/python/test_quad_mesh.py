@@ -169,6 +169,16 @@ class SharedSurfaces(unittest.TestCase):
     """Surfaces that others made, where they are at hand."""
 
     @unittest.skipUnless(surfaces.shared_folder(), "no shared surfaces here")
+    def test_no_node_gathers_quads_without_end(self):
+        # Turned by 180° about z this blended wing body once got nodes with 1860 quads.
+        folder = surfaces.shared_folder() / "data/real/aero"
+        points, triangles = anisoquad.io.read_triangles(folder / "zeroe_bwb_half.off")
+        line = json.loads((folder / "zeroe_bwb_half.le.json").read_text())["leading_edge"]
+        mesh = anisoquad.quad_mesh(points * [-1, -1, 1], triangles, [anisoquad.Source(line, anisotropy=8)])
+        self.assertLessEqual(np.bincount(mesh.quads.ravel()).max(), 16)
+        self.assertEqual(mesh.report["triangles_left"], 0)
+
+    @unittest.skipUnless(surfaces.shared_folder(), "no shared surfaces here")
     def test_bad_inputs_are_refused_with_a_code(self):
         for name in ("fan3", "moebius", "triple_vierbein"):
             with self.subTest(name):
