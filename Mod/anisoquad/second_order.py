@@ -36,23 +36,22 @@ def second_order(mesh, points, triangles, feature_angle, lines=(), surface=None)
     """
     ends, first, index = np.unique(np.sort(_sides(mesh.quads), axis=1), axis=0, return_index=True, return_inverse=True)
     size = len(mesh.points)
-    on_line = np.isin(ends @ [size, 1], np.sort(mesh.line_edges[:, :2].astype(np.int64), axis=1) @ [size, 1])
+    line_keys = np.sort(mesh.line_edges[:, :2].astype(np.int64), axis=1) @ [size, 1]
+    on_line = np.isin(ends @ [size, 1], line_keys)
     middles = 0.5 * (mesh.points[ends[:, 0]] + mesh.points[ends[:, 1]])
     if surface is None:
         middles = SurfaceLines(points, triangles, feature_angle, edges_of(lines)).onto_surface(middles, on_line)
     else:
-        middles = surface.project(middles, mesh.quad_facet[first // 4], _input_edges(mesh, ends, on_line))
+        middles = surface.project(middles, mesh.quad_facet[first // 4], _input_edges(mesh, ends, on_line, line_keys))
     quads = np.column_stack([mesh.quads, index.reshape(-1, 4) + size]).astype(np.int32)
     return SecondOrder(np.concatenate([mesh.points, middles]), quads)
 
 
-def _input_edges(mesh, ends, on_line):
-    """(n,2): for edges of the mesh on feature lines the input's edge near them, for others (-1, -1)."""
-    size = len(mesh.points)
-    keys = np.sort(mesh.line_edges[:, :2].astype(np.int64), axis=1) @ [size, 1]
-    order = np.argsort(keys)
+def _input_edges(mesh, ends, on_line, line_keys):
+    """(n,2): for edges of the mesh on feature lines the input's edge near them, for others (-1, -1). line_keys -- of mesh.line_edges"""
+    order = np.argsort(line_keys)
     found = np.full((len(ends), 2), -1)
-    place = np.searchsorted(keys[order], ends[on_line] @ [size, 1])
+    place = np.searchsorted(line_keys[order], ends[on_line] @ [len(mesh.points), 1])
     found[on_line] = mesh.line_edge_input[order[place]]
     return found
 

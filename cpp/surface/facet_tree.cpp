@@ -25,6 +25,8 @@ constexpr double kRounding = 1.0 + 1e-12;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+FacetTree::Hit none() { return {std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()}; }
+
 double distance2_to_box(const Point& p, const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
     return (low.cast<double>() - p).cwiseMax(p - high.cast<double>()).cwiseMax(0.0).squaredNorm();
 }
@@ -196,12 +198,6 @@ void FacetTree::try_round(const Point& p, std::int32_t corner, std::int32_t firs
         }
     }
 }
-
-namespace {
-
-FacetTree::Hit none() { return {std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()}; }
-
-}  // namespace
 
 FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32_t hint) const {
     Hit best = none();

@@ -8,27 +8,20 @@ from unittest import mock
 
 import FreeCAD
 import Part
-from documents import DocumentTest
-from shapes import largest_distance, leading_edge, loft_wing
+from part_case import PartTest
+from shapes import leading_edge, loft_wing
 
 import anisoquad
 from anisoquad.cad import CadShape, CadSurface
 from anisoquad.gmsh import has_gmsh, triangulate
 
 
-class GmshTest(DocumentTest):
+class GmshTest(PartTest):
     def cylinder(self):
         tube = self.doc.addObject("Part::Cylinder", "Tube")
         tube.Radius, tube.Height = 10.0, 30.0
         self.doc.recompute()
         return tube
-
-    def assert_good(self, quads, shape):
-        self.assertEqual(quads.getStatusString(), "Valid")
-        report = json.loads(quads.Report)
-        self.assertEqual((report["inverted"], report["triangles_left"]), (0, 0))
-        self.assertEqual(quads.FemMesh.QuadrangleCount, quads.FemMesh.FaceCount)
-        self.assertLess(largest_distance(shape, quads.FemMesh), 1e-7 * shape.BoundBox.DiagonalLength)
 
 
 @unittest.skipUnless(has_gmsh(), "Gmsh is not installed")

@@ -5,7 +5,7 @@ import unittest
 
 import FreeCAD
 import Part
-from documents import DocumentTest
+from part_case import PartTest
 from shapes import largest_distance, leading_edge, loft_wing
 
 import anisoquad
@@ -13,15 +13,6 @@ import anisoquad
 
 def groups_of(fem_mesh):
     return {fem_mesh.getGroupName(group): fem_mesh.getGroupElements(group) for group in fem_mesh.Groups}
-
-
-class PartTest(DocumentTest):
-    def assert_good(self, quads, shape):
-        self.assertEqual(quads.getStatusString(), "Valid")
-        report = json.loads(quads.Report)
-        self.assertEqual((report["inverted"], report["triangles_left"]), (0, 0))
-        self.assertEqual(quads.FemMesh.QuadrangleCount, quads.FemMesh.FaceCount)
-        self.assertLess(largest_distance(shape, quads.FemMesh), 1e-7 * shape.BoundBox.DiagonalLength)
 
 
 class Wing(PartTest):

@@ -1,19 +1,18 @@
 """The window stays alive while a large mesh is made. ANISOQUAD_TEST_TRIANGLES says how large; 1000000 takes minutes."""
 
 import os
-import tempfile
 import threading
 import time
 from pathlib import Path
 from unittest import mock
 
 import FreeCADGui
-import Mesh
 import numpy as np
 from PySide import QtCore
 from window import WindowTest, wait
 
 import anisoquad
+from anisoquad.convert import mesh_of
 from anisoquad.taskpanels.quad_mesh_panel import QuadMeshPanel
 
 TRIANGLES = int(os.environ.get("ANISOQUAD_TEST_TRIANGLES", 100000))
@@ -103,14 +102,7 @@ class Responsiveness(WindowTest):
 def waves(side):
     """A Mesh.Mesh of side × side cells in waves."""
     x, y = np.meshgrid(np.arange(side + 1.0), np.arange(side + 1.0))
-    points = np.column_stack([x.ravel(), y.ravel(), 3.0 * np.sin(x / 15).ravel() * np.cos(y / 20).ravel()]).astype(np.float32)
+    points = np.column_stack([x.ravel(), y.ravel(), 3.0 * np.sin(x / 15).ravel() * np.cos(y / 20).ravel()])
     a = (np.arange(side)[:, None] * (side + 1) + np.arange(side)).ravel()
     triangles = np.concatenate([np.column_stack([a, a + 1, a + side + 2]), np.column_stack([a, a + side + 2, a + side + 1])])
-    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
-              f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
-    faces = np.empty(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
-    faces["count"], faces["corners"] = 3, triangles
-    with tempfile.NamedTemporaryFile(suffix=".ply") as file:
-        file.write(header.encode() + points.tobytes() + faces.tobytes())
-        file.flush()
-        return Mesh.Mesh(file.name)
+    return mesh_of(points, triangles)
