@@ -20,6 +20,7 @@ def run():
     import FreeCAD
     import Mesh
     from anisoquad.io import write_mesh
+    from anisoquad.objects.quad_mesh_object import result_of
     from anisoquad.picture import save_png
     from anisoquad.summary import quality_table
 
@@ -35,7 +36,7 @@ def run():
         raise RuntimeError(quads.getStatusString())
     doc.saveAs(str(OUT / "wing.FCStd"))
 
-    mesh = quads.Proxy.result
+    mesh = result_of(quads)
     write_mesh(OUT / "wing.inp", mesh)
     write_mesh(OUT / "wing.vtu", mesh)
     (OUT / "report.json").write_text(quads.Report + "\n")
