@@ -1,12 +1,15 @@
-"""The examples that start from a Part shape."""
+"""The examples that start from a Part shape, and the demo."""
 
+import shutil
+import subprocess
 import sys
 import unittest
 from pathlib import Path
 
 import FreeCAD
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "resources" / "examples"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "resources" / "examples"))
 
 
 class Examples(unittest.TestCase):
@@ -31,6 +34,14 @@ class Examples(unittest.TestCase):
 
         source = self.make(nacelle).Sources[0]
         self.assertEqual(source.Vertices[0], source.Vertices[-1])
+
+    def test_the_demo_leaves_its_files(self):
+        freecad = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+        run = subprocess.run([freecad, str(ROOT / "resources" / "examples" / "wing_demo.py")], stdin=subprocess.DEVNULL,
+                             capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stderr[-1000:])
+        left = {path.name for path in (ROOT / "build" / "demo").iterdir() if path.stat().st_size > 0}
+        self.assertEqual(left, {"wing.FCStd", "wing.inp", "wing.vtu", "report.json", "wing.png"})
 
 
 if __name__ == "__main__":
