@@ -123,9 +123,9 @@ void Trial::smooth(const Region& region) {
     }
     const auto improve = [&](Vertex v, bool last) {
         if (!is_movable(mesh_, v)) return;
-        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, &reference_, nullptr, kPoor);
+        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, &reference_, &hint, kPoor);
         if (last && mesh_.valence(v) <= kMostEdges && worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor)
-            optimise_node(mesh_, v, &reference_);
+            optimise_node(mesh_, v, &reference_, &hint);
     };
     for (int i = 0; i < kSweeps; ++i) {
         for (const Vertex v : region.inner) improve(v, i + 1 == kSweeps);

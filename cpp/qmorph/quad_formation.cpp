@@ -38,7 +38,7 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
 
 namespace {
 
-void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t& hint) {
+void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, FacetHints& hints) {
     if (!is_movable(mesh, v)) return;
     bool on_quad = false;
     bool on_triangle = false;
@@ -47,12 +47,15 @@ void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference,
         (mesh.is_triangle(mesh.face(h)) ? on_triangle : on_quad) = true;
     }
     Point target;
-    if (on_quad && on_triangle ? front_node_target(mesh, v, target) : laplacian_target(mesh, v, target)) move_node(mesh, v, target, reference, &hint);
+    if (!(on_quad && on_triangle ? front_node_target(mesh, v, target) : laplacian_target(mesh, v, target))) return;
+    std::int32_t& hint = hints.of(v, mesh.vertex_slots());
+    move_node(mesh, v, target, reference, &hint);
+    hints.set_last(hint);
 }
 
 }  // namespace
 
-void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* reference, std::int32_t& hint) {
+void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* reference, FacetHints& hints) {
     static thread_local std::vector<Vertex> ring;
     ring.clear();
     std::array<Vertex, 4> nodes;
@@ -66,9 +69,9 @@ void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* referen
             }
         }
     }
-    for (const Vertex v : nodes) smooth_node(mesh, v, reference, hint);
-    for (const Vertex v : ring) smooth_node(mesh, v, reference, hint);
-    for (const Vertex v : nodes) smooth_node(mesh, v, reference, hint);
+    for (const Vertex v : nodes) smooth_node(mesh, v, reference, hints);
+    for (const Vertex v : ring) smooth_node(mesh, v, reference, hints);
+    for (const Vertex v : nodes) smooth_node(mesh, v, reference, hints);
 }
 
 }  // namespace anisoquad

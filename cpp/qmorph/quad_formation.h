@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/surface_mesh.h"
+#include "surface/facet_hints.h"
 #include "surface/reference_surface.h"
 
 namespace anisoquad {
@@ -13,7 +14,7 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least =
 
 /// Smoothing after a new quad (paper 2.2, Owen "local smoothing"): Blacker's combination for its nodes on the front, Laplacian
 /// for the ring of nodes around it.
-/// @param reference surface to which the nodes are brought back; may be null; @param hint facet near by, -1 = none, kept up to date
-void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* reference, std::int32_t& hint);
+/// @param reference surface to which the nodes are brought back; may be null; @param hints facets near the nodes, kept up to date
+void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* reference, FacetHints& hints);
 
 }  // namespace anisoquad

@@ -146,7 +146,7 @@ class FinalSmoother {
         }
         Star star;
         if (!star.gather(mesh_, v)) return false;
-        star.see_along_surface(reference_);
+        star.see_along_surface(reference_, hint_[index(v)]);
         const Star::Quality now = star.quality(star.centre());
         const double worst = now.worst;
         if (mesh_.info(v).in_row) return worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);

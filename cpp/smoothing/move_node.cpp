@@ -46,7 +46,7 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
     Star star;
     if (!is_movable(mesh, v)) return false;
     if ((target - mesh.position(v)).norm() < kAtRest * mesh.length(mesh.halfedge(v)) || !star.gather(mesh, v)) return false;
-    if (reference) star.see_along_surface(*reference);
+    if (reference) star.see_along_surface(*reference, hint ? *hint : -1);
     const Star::Quality before = star.quality(star.centre());
     // The exponential map of a folded ring is no map of the surface.
     SurfaceFit fit;

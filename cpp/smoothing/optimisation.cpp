@@ -29,7 +29,7 @@ double score(const Star& star, const Point& p) {
 bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t* hint) {
     Star star;
     if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
-    if (reference) star.see_along_surface(*reference);
+    if (reference) star.see_along_surface(*reference, hint ? *hint : -1);
     const Chart chart(mesh, v, star);
     const double before = score(star, star.centre());
     Eigen::Vector2d x = Eigen::Vector2d::Zero();

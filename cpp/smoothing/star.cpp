@@ -32,6 +32,7 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     normal_.setZero();
     edge_length_ = 0.0;
     patch_ = -1;
+    hint_ = -1;
     has_quads_only_ = true;
     int edges = 0;
     for (HalfEdge h : mesh.outgoing(v)) {
@@ -47,6 +48,14 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
         w.previous = mesh.position(mesh.from(mesh.prev(h)));
         w.quad = mesh.next(after) != mesh.prev(h);
         has_quads_only_ = has_quads_only_ && w.quad;
+        if (w.quad) {
+            w.after_next = w.opposite - w.next;
+            w.before_previous = w.previous - w.opposite;
+            w.across = w.previous - w.next;
+            w.opposite_area = w.after_next.cross(w.before_previous);
+            w.after_next_length = w.after_next.norm();
+            w.before_previous_length = w.before_previous.norm();
+        }
         normal_ += area_vector(w);
         patch_ = std::max(patch_, mesh.info(f).patch);
     }
@@ -67,10 +76,10 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     return true;
 }
 
-void Star::see_along_surface(const ReferenceSurface& reference) {
+void Star::see_along_surface(const ReferenceSurface& reference, std::int32_t hint) {
+    hint_ = hint;
     if (least_cosine_ >= kFlat) return;
     upright_ = kUpright;
-    std::int32_t hint = -1;
     for (int i = 0; i < size_; ++i) {
         Wedge& w = wedges_[static_cast<std::size_t>(i)];
         const SurfacePoint closest = reference.closest(middle(w, centre_), patch_, hint);
@@ -86,7 +95,7 @@ Point Star::middle(const Wedge& w, const Point& p) const {
 
 double Star::distance(const ReferenceSurface& reference, const Point& p) const {
     double distance = 0.0;
-    std::int32_t hint = -1;
+    std::int32_t hint = hint_;
     for (int i = 0; i < size_; ++i) {
         const Wedge& w = wedges_[static_cast<std::size_t>(i)];
         const SurfacePoint closest = reference.closest(middle(w, p), patch_, hint);
@@ -142,21 +151,20 @@ double Star::quality(const Wedge& wedge, const Point& p, double& ratio) const {
         const double shape = 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum;
         return area.dot(wedge.up) > upright_ * area.norm() ? std::min(1.0, shape) : -std::min(1.0, shape);
     }
-    const std::array<Vector3d, 4> edge{first, wedge.opposite - wedge.next, wedge.previous - wedge.opposite, last};
-    std::array<double, 4> length;
-    for (std::size_t k = 0; k < 4; ++k) length[k] = edge[k].norm();
-    const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
-    if (!(*shortest > 0.0)) return -1.0;
-    ratio = *longest / *shortest;
-    const Vector3d axes = (wedge.opposite - p).cross(wedge.previous - wedge.next);
+    const double first_length = first.norm();
+    const double last_length = last.norm();
+    const double shortest = std::min({first_length, wedge.after_next_length, wedge.before_previous_length, last_length});
+    if (!(shortest > 0.0)) return -1.0;
+    ratio = std::max({first_length, wedge.after_next_length, wedge.before_previous_length, last_length}) / shortest;
+    const Vector3d axes = (wedge.opposite - p).cross(wedge.across);
+    const double length = axes.norm();
     // A quad that is turned over is good by its own normal; seen along the surface's it is not.
-    const bool upright = axes.dot(wedge.up) > upright_ * axes.norm();
-    const Vector3d up = upright ? Vector3d(axes.normalized()) : wedge.up;
-    double worst = std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t before = (k + 3) % 4;
-        worst = std::min(worst, up.dot(edge[before].cross(edge[k])) / (length[before] * length[k]));
-    }
+    const bool upright = axes.dot(wedge.up) > upright_ * length;
+    const Vector3d up = upright ? Vector3d(axes / length) : wedge.up;
+    const double worst = std::min({up.dot(last.cross(first)) / (last_length * first_length),
+                                   up.dot(first.cross(wedge.after_next)) / (first_length * wedge.after_next_length),
+                                   up.dot(wedge.opposite_area) / (wedge.after_next_length * wedge.before_previous_length),
+                                   up.dot(wedge.before_previous.cross(last)) / (wedge.before_previous_length * last_length)});
     return upright ? worst : std::min(worst, 0.0);
 }
 

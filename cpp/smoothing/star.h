@@ -38,7 +38,8 @@ class Star {
     void see_along(const Eigen::Vector3d& normal);
     /// Where the surface turns strongly round the node, one normal can't tell which faces are turned over: every face is then seen
     /// along the reference surface's normal at its middle. Elsewhere nothing changes.
-    void see_along_surface(const ReferenceSurface& reference);
+    /// @param hint facet near the node, from which closest points are looked for here and in stays_near(); −1 = none
+    void see_along_surface(const ReferenceSurface& reference, std::int32_t hint = -1);
     /// True where the surface hardly turns round the node: its tangent plane will do for a step.
     bool is_flat() const { return least_cosine_ >= kPlane; }
     /// True where the surface is folded round the node, and the node can only slide along the fold, if at all: off it the mesh
@@ -80,6 +81,13 @@ class Star {
         Point previous;
         Eigen::Vector3d up;
         bool quad;
+        // What a move of the centre leaves as it is, quads only.
+        Eigen::Vector3d after_next;       ///< edge from next to opposite
+        Eigen::Vector3d before_previous;  ///< edge from opposite to previous
+        Eigen::Vector3d across;           ///< diagonal from next to previous
+        Eigen::Vector3d opposite_area;    ///< cross product of the two edges
+        double after_next_length;
+        double before_previous_length;
     };
     Eigen::Vector3d area_vector(const Wedge& wedge) const;
     Point middle(const Wedge& wedge, const Point& p) const;
@@ -94,6 +102,7 @@ class Star {
     Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
     double edge_length_ = 0.0;
     std::int32_t patch_ = -1;
+    std::int32_t hint_ = -1;  ///< facet near the node
     double upright_ = 0.0;    ///< least cosine between a face and the side that it is seen from
     bool is_on_fold_ = false;
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip

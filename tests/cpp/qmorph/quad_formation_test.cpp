@@ -81,8 +81,8 @@ TEST(QuadFormation, SmoothingKeepsLinesAndTurnsNothingOver) {
         ASSERT_TRUE(f.is_valid());
         assign_node_sizes(p.mesh);
         const double before = scaled_jacobian(p.mesh, f);
-        std::int32_t hint = -1;
-        smooth_around(p.mesh, f, &p.reference, hint);
+        FacetHints hints;
+        smooth_around(p.mesh, f, &p.reference, hints);
         EXPECT_GE(scaled_jacobian(p.mesh, f), before - 1e-3);
         // Isoparametric: opposite sides become alike.
         const auto top = p.mesh.length(edge(p.mesh, 3 + stride, 2 + stride));
