@@ -11,6 +11,7 @@
 #include "anisotropy/source_sides.h"
 #include "anisotropy/transition.h"
 #include "mesh/area_vector.h"
+#include "prepare/remesh.h"
 #include "qmorph/front.h"
 
 namespace anisoquad {
@@ -24,6 +25,7 @@ constexpr double kFreeShareLater = 0.1;  // more for each later pass
 constexpr double kReserve = 3.0;        // heights that are left to each later pass
 constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
 constexpr double kColumnAtEnd = 1.0;    // least width of the merged end columns over the height of the uppermost row
+constexpr double kEvenDeviation = 1e-3;  // off the surface, over its diagonal, by swaps where a side has no rows
 constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
 constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
 
@@ -79,7 +81,9 @@ class MultiPass {
         if (observe_) observe_(name + ": rows");
         std::vector<std::size_t> columns;
         for (const RowStack& stack : stacks_) columns.push_back(stack.columns());
-        for (std::size_t s = 0; s < sources_.size(); ++s) merge_source(s, p, before);
+        std::vector<char> merged;
+        for (std::size_t s = 0; s < sources_.size(); ++s) merge_source(s, p, before, merged);
+        if (std::find(merged.begin(), merged.end(), 1) != merged.end()) swap_towards_delaunay(mesh_, merged, reference_, {.deviation = kEvenDeviation});
         for (std::size_t i = 0; i < stacks_.size(); ++i) {
             const Pass* pass = pass_of(stacks_[i], p);
             if (!pass) continue;
@@ -135,7 +139,9 @@ class MultiPass {
         return false;
     }
 
-    void merge_source(std::size_t s, std::size_t p, const std::vector<std::size_t>& before) {
+    /// @param merged per vertex, receives 1 for the source's nodes and their neighbours: where a side has no rows, its triangles there have become
+    /// slivers
+    void merge_source(std::size_t s, std::size_t p, const std::vector<std::size_t>& before, std::vector<char>& merged) {
         if (!is_active(s, p, before)) return;
         Line& line = lines_[s];
         const std::vector<char> kept = segment_ends(s, sources_[s].passes[p].ratio);
@@ -162,6 +168,11 @@ class MultiPass {
             thinned.index.push_back(line.index[i]);
         }
         line = std::move(thinned);
+        merged.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        for (const Vertex v : line.nodes) {
+            merged[static_cast<std::size_t>(v.index())] = 1;
+            for (const HalfEdge h : mesh_.outgoing(v)) merged[static_cast<std::size_t>(mesh_.to(h).index())] = 1;
+        }
     }
 
     /// A node that another line meets: it would be drawn along the source, were it merged.
