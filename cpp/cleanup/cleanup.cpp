@@ -113,13 +113,14 @@ class Cleaner {
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > kPoor) return;
         const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
-        if (!change_round(f, demands) && quality <= kUnusable) inset(f, demands);
+        if (change_round(f, demands) || quality > kUnusable || inset(f, demands)) return;
+        grow_round(f, demands);
     }
 
     /// A quad that spans a fold of the surface is worth irregular nodes, if the new ones lie nearer.
     void bring_nearer(Face f) {
         if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0 || !is_far(f)) return;
-        if (!change_round(f, kBringNearer)) inset(f, kBringNearer);
+        if (!change_round(f, kBringNearer) && !inset(f, kBringNearer)) grow_round(f, kBringNearer);
     }
 
     bool is_far(Face f) const {
@@ -145,11 +146,25 @@ class Cleaner {
         });
     }
 
-    void inset(Face f, const Trial::Demands& demands) {
+    bool inset(Face f, const Trial::Demands& demands) {
         proposals_.clear();
         propose_inset(mesh_, f, proposals_);
         sort_out(demands.gain);
-        apply_best(demands);
+        return apply_best(demands);
+    }
+
+    /// Larger and larger regions round a quad's irregular nodes, until one is meshed anew.
+    bool grow_round(Face f, const Trial::Demands& demands) {
+        std::array<Vertex, 4> nodes;
+        std::size_t k = 0;
+        for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
+        Region region;
+        for (const Vertex v : nodes) {
+            if (!is_irregular(v) || !may_try() || !growth_.improve(v, {.demands = demands}, region)) continue;
+            note_change(region);
+            return true;
+        }
+        return false;
     }
 
     void find_proposals(Vertex v, int least_gain) {
