@@ -11,6 +11,7 @@
 #include "qmorph/edge_recovery.h"
 #include "qmorph/front.h"
 #include "qmorph/quad_formation.h"
+#include "qmorph/rung.h"
 #include "qmorph/seam.h"
 #include "qmorph/seed.h"
 #include "qmorph/sharp_corner.h"
@@ -102,6 +103,15 @@ class QMorph {
         }
         // A transition seam that could not be closed has halved an edge: h may be gone.
         if (mesh_.is_deleted(h) || !is_front(mesh_, h)) return;
+        if (is_wide_rung(mesh_, h)) {
+            const std::int32_t level = state(h).level;
+            const Face middle = split_rung(mesh_, h, reference_);
+            ++result_.rungs;
+            result_.quads += 3;
+            smooth_around(mesh_, middle, reference_, hints_);
+            for (const HalfEdge k : mesh_.halfedges(middle)) refresh(mesh_.from(k), level);
+            return;
+        }
         if (make_quad(h)) {
             ++result_.quads;
             return;
@@ -129,7 +139,7 @@ class QMorph {
             const Face f = transition_seam(mesh_, h);
             if (f.is_valid()) {
                 ++result_.transitions;
-                smooth_around(mesh_, f, reference_, hint_);
+                smooth_around(mesh_, f, reference_, hints_);
                 for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level + 1);
                 return true;
             }
@@ -188,14 +198,14 @@ class QMorph {
                 s.tries = 0;
             }
         }
-        smooth_around(mesh_, f, reference_, hint_);
+        smooth_around(mesh_, f, reference_, hints_);
         for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level);
         return true;
     }
 
     SurfaceMesh& mesh_;
     const ReferenceSurface* reference_;
-    std::int32_t hint_ = -1;
+    FacetHints hints_;
     Context& context_;
     QMorphResult result_;
     std::priority_queue<Waiting> queue_;

@@ -13,6 +13,7 @@ struct QMorphResult {
     std::int32_t quads = 0;        ///< formed on front edges
     std::int32_t seams = 0;
     std::int32_t transitions = 0;  ///< transition seams and splits
+    std::int32_t rungs = 0;        ///< edges from line to line cut in three
     std::int32_t closed_loops = 0;
     std::int32_t failed_edges = 0; ///< front edges given up after repeated tries
     std::int32_t paired = 0;       ///< quads made by finish_remaining()
