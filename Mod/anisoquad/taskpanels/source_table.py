@@ -7,7 +7,7 @@ from ..source import format_passes, parse_passes
 
 SOURCE, LENGTH, EDGES, PASSES, SIDES = range(5)
 _SIDES = ("both", "left", "right")
-_NARROWEST = 40  # pixels
+_NARROWEST = 30  # pixels
 
 
 class SourceTable:
