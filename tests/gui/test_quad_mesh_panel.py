@@ -76,6 +76,15 @@ class QuadMeshPanel(WindowTest):
             self.button(cancel).click()
             wait()
 
+    def test_numbers_have_no_more_decimals_than_they_need(self):
+        quads = self.make_quad_mesh()
+        quads.FeatureAngle, quads.Size, quads.Growth = 40.0, 0.0, 1.25
+        form = self.open(quads)
+        texts = [form.findChild(object, name).text().replace(",", ".") for name in ("FeatureAngle", "Size", "Growth")]
+        self.assertEqual(texts, ["40°", "0", "1.25"])
+        self.button("OK").click()
+        self.assertEqual(quads.Growth, 1.25)
+
     def test_rows_that_are_known_are_previewed_at_once(self):
         quads = self.make_quad_mesh(anisotropy=16)
         form = self.open(quads)
