@@ -2,6 +2,7 @@
 
 import os
 import tempfile
+import time
 import zlib
 
 import Fem
@@ -15,6 +16,7 @@ _COUNTS_AT = 264
 _POINTS_AT = 272
 
 _AT_ONCE = 30_000  # elements of a group: some hundredths of a second in which no other thread runs
+_NAP = 0.005  # seconds after each, in which the window does what it has to; in a bare gap between two calls no other thread wakes
 
 
 def bms_bytes(mesh):
@@ -139,4 +141,6 @@ def _add_group(fem_mesh, name, kind, indices):
     group = fem_mesh.addGroup(name, kind)
     ids = np.asarray(indices) + 1
     for start in range(0, len(ids), _AT_ONCE):
+        if start:
+            time.sleep(_NAP)
         fem_mesh.addGroupElements(group, ids[start : start + _AT_ONCE].tolist())

@@ -1,8 +1,10 @@
 #include <pybind11/numpy.h>
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <stdexcept>
+#include <thread>
 
 #include "bindings.h"
 
@@ -27,9 +29,12 @@ void call(const py::object& method, const std::array<PyObject*, N>& made) {
 }
 
 /// Lets other threads run between one call in 4096 and the next: FreeCAD's window lives on while a thread of ours fills a mesh.
+/// A release alone would not do: this thread has the lock back before another wakes, and each release restarts the time after
+/// which the other may demand it.
 void yield_after(py::ssize_t calls) {
     if (calls % 4096 != 0) return;
     const py::gil_scoped_release without_gil;
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
 }
 
 PyObject* list_of(const std::int32_t* nodes, py::ssize_t count) {

@@ -462,6 +462,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
  <context>
   <name>QuadMeshPanel</name>
   <message>
+   <source>1:16 is the maximum anisotropy; 4:6, 2, 2 are the merge ratios of the passes, the first with six rows</source>
+   <translation>1:16 ist die größte Anisotropie; 4:6, 2, 2 sind die Verschmelzungen der Durchgänge, der erste mit sechs Reihen</translation>
+  </message>
+  <message>
    <source>1st</source>
    <translation>1.</translation>
   </message>
@@ -550,8 +554,8 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Optionen</translation>
   </message>
   <message>
-   <source>Passes or 1:n</source>
-   <translation>Durchgänge oder 1:n</translation>
+   <source>Passes</source>
+   <translation>Durchgänge</translation>
   </message>
   <message>
    <source>Patches are the faces of the shape, and all nodes lie exactly on it</source>
@@ -702,6 +706,161 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   </message>
  </context>
  <context>
+  <name>Report</name>
+  <message>
+   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}</source>
+   <translation>Quelle {source}, {side}, Durchgang {pass_} (1:{ratio}): {rows} Reihen; {why}</translation>
+  </message>
+  <message>
+   <source>a boundary, a feature line or another row is too close ahead</source>
+   <translation>ein Rand, eine Merkmalslinie oder eine andere Reihe liegt zu dicht davor</translation>
+  </message>
+  <message>
+   <source>a column has become too slim</source>
+   <translation>eine Spalte ist zu schmal geworden</translation>
+  </message>
+  <message>
+   <source>a quad of the row would be too distorted</source>
+   <translation>ein Viereck der Reihe würde zu stark verzerrt</translation>
+  </message>
+  <message>
+   <source>another row or the boundary lies directly ahead</source>
+   <translation>eine andere Reihe oder der Rand liegt unmittelbar davor</translation>
+  </message>
+  <message>
+   <source>as many rows as asked for</source>
+   <translation>so viele Reihen wie verlangt</translation>
+  </message>
+  <message>
+   <source>in {} of them the triangles turn too far from one to the next</source>
+   <translation>in {} davon biegen die Dreiecke vom einen zum nächsten zu weit ab</translation>
+  </message>
+  <message>
+   <source>in {} of them the triangles' size changes too fast</source>
+   <translation>in {} davon ändert sich die Größe der Dreiecke zu schnell</translation>
+  </message>
+  <message>
+   <source>something lies inside the row</source>
+   <translation>etwas liegt innerhalb der Reihe</translation>
+  </message>
+  <message>
+   <source>the end column reaches a corner of the feature lines</source>
+   <translation>die Spalte am Ende erreicht eine Ecke der Merkmalslinien</translation>
+  </message>
+  <message>
+   <source>the front turns too sharply for one more row</source>
+   <translation>die Front biegt zu scharf ab für eine weitere Reihe</translation>
+  </message>
+  <message>
+   <source>the input was repaired</source>
+   <translation>die Eingabe wurde ausgebessert</translation>
+  </message>
+  <message>
+   <source>the line at the row's end turns back to it</source>
+   <translation>die Linie am Ende der Reihe kehrt zu ihr zurück</translation>
+  </message>
+  <message>
+   <source>the triangles ahead are too large for the length of the front's edges</source>
+   <translation>die Dreiecke davor sind zu groß für die Länge der Kanten der Front</translation>
+  </message>
+  <message>
+   <source>the triangles ahead could not be swapped into the row (column)</source>
+   <translation>die Dreiecke davor ließen sich nicht zur Reihe umklappen (Spalte)</translation>
+  </message>
+  <message>
+   <source>the triangles ahead could not be swapped into the row (top)</source>
+   <translation>die Dreiecke davor ließen sich nicht zur Reihe umklappen (Oberkante)</translation>
+  </message>
+  <message>
+   <source>{} edge cut apart</source>
+   <translation>{} Kante aufgetrennt</translation>
+  </message>
+  <message>
+   <source>{} edges cut apart</source>
+   <translation>{} Kanten aufgetrennt</translation>
+  </message>
+  <message>
+   <source>{} facet doubled dropped</source>
+   <translation>{} doppelte Facette weggelassen</translation>
+  </message>
+  <message>
+   <source>{} facet turned</source>
+   <translation>{} Facette umgedreht</translation>
+  </message>
+  <message>
+   <source>{} facet without all vertices dropped</source>
+   <translation>{} Facette ohne alle Eckpunkte weggelassen</translation>
+  </message>
+  <message>
+   <source>{} facet without area removed</source>
+   <translation>{} Facette ohne Fläche entfernt</translation>
+  </message>
+  <message>
+   <source>{} facet without finite coordinates dropped</source>
+   <translation>{} Facette ohne endliche Koordinaten weggelassen</translation>
+  </message>
+  <message>
+   <source>{} facets doubled dropped</source>
+   <translation>{} doppelte Facetten weggelassen</translation>
+  </message>
+  <message>
+   <source>{} facets turned</source>
+   <translation>{} Facetten umgedreht</translation>
+  </message>
+  <message>
+   <source>{} facets without all vertices dropped</source>
+   <translation>{} Facetten ohne alle Eckpunkte weggelassen</translation>
+  </message>
+  <message>
+   <source>{} facets without area removed</source>
+   <translation>{} Facetten ohne Fläche entfernt</translation>
+  </message>
+  <message>
+   <source>{} facets without finite coordinates dropped</source>
+   <translation>{} Facetten ohne endliche Koordinaten weggelassen</translation>
+  </message>
+  <message>
+   <source>{} of them have triangles too long and thin for quads ({} triangles)</source>
+   <translation>{} davon haben Dreiecke, die für Vierecke zu lang und schmal sind ({} Dreiecke)</translation>
+  </message>
+  <message>
+   <source>{} patches have an odd boundary that nothing can make even</source>
+   <translation>{} Flächen haben einen Rand mit ungerader Kantenzahl, der sich nicht ändern lässt</translation>
+  </message>
+  <message>
+   <source>{} patches were remeshed before: {} triangles became {}, edges up to {}</source>
+   <translation>{} Flächen wurden zuvor neu in Dreiecke zerlegt: aus {} Dreiecken wurden {}, Kanten bis {}</translation>
+  </message>
+  <message>
+   <source>{} quads are turned over by the surface to which they were brought</source>
+   <translation>{} Vierecke werden von der Fläche umgedreht, auf die sie gebracht wurden</translation>
+  </message>
+  <message>
+   <source>{} source nodes could not be merged</source>
+   <translation>{} Knoten der Quelle ließen sich nicht verschmelzen</translation>
+  </message>
+  <message>
+   <source>{} triangles are left</source>
+   <translation>{} Dreiecke sind übrig geblieben</translation>
+  </message>
+  <message>
+   <source>{} vertex added</source>
+   <translation>{} Punkt hinzugefügt</translation>
+  </message>
+  <message>
+   <source>{} vertex welded</source>
+   <translation>{} Punkt verschweißt</translation>
+  </message>
+  <message>
+   <source>{} vertices added</source>
+   <translation>{} Punkte hinzugefügt</translation>
+  </message>
+  <message>
+   <source>{} vertices welded</source>
+   <translation>{} Punkte verschweißt</translation>
+  </message>
+ </context>
+ <context>
   <name>SourcePanel</name>
   <message>
    <source>(closed)</source>
@@ -837,6 +996,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   <message>
    <source>Triangulating</source>
    <translation>In Dreiecke zerlegen</translation>
+  </message>
+  <message>
+   <source>{stage} {percent} % – Esc stops it</source>
+   <translation>{stage} {percent} % – Esc bricht ab</translation>
   </message>
  </context>
  <context>

@@ -462,6 +462,10 @@ avec les sources ajoutées auparavant</translation>
  <context>
   <name>QuadMeshPanel</name>
   <message>
+   <source>1:16 is the maximum anisotropy; 4:6, 2, 2 are the merge ratios of the passes, the first with six rows</source>
+   <translation>1:16 est l’anisotropie maximale ; 4:6, 2, 2 sont les rapports de fusion des passes, la première de six rangées</translation>
+  </message>
+  <message>
    <source>1st</source>
    <translation>1er</translation>
   </message>
@@ -550,8 +554,8 @@ avec les sources ajoutées auparavant</translation>
    <translation>Options</translation>
   </message>
   <message>
-   <source>Passes or 1:n</source>
-   <translation>Passes ou 1:n</translation>
+   <source>Passes</source>
+   <translation>Passes</translation>
   </message>
   <message>
    <source>Patches are the faces of the shape, and all nodes lie exactly on it</source>
@@ -702,6 +706,161 @@ avec les sources ajoutées auparavant</translation>
   </message>
  </context>
  <context>
+  <name>Report</name>
+  <message>
+   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}</source>
+   <translation>Source {source}, {side}, passe {pass_} (1:{ratio}) : {rows} rangées ; {why}</translation>
+  </message>
+  <message>
+   <source>a boundary, a feature line or another row is too close ahead</source>
+   <translation>un bord, une ligne caractéristique ou une autre rangée est trop proche devant</translation>
+  </message>
+  <message>
+   <source>a column has become too slim</source>
+   <translation>une colonne est devenue trop étroite</translation>
+  </message>
+  <message>
+   <source>a quad of the row would be too distorted</source>
+   <translation>un quadrangle de la rangée serait trop déformé</translation>
+  </message>
+  <message>
+   <source>another row or the boundary lies directly ahead</source>
+   <translation>une autre rangée ou le bord se trouve juste devant</translation>
+  </message>
+  <message>
+   <source>as many rows as asked for</source>
+   <translation>autant de rangées que demandé</translation>
+  </message>
+  <message>
+   <source>in {} of them the triangles turn too far from one to the next</source>
+   <translation>dans {} d’entre elles les triangles tournent trop de l’un au suivant</translation>
+  </message>
+  <message>
+   <source>in {} of them the triangles' size changes too fast</source>
+   <translation>dans {} d’entre elles la taille des triangles change trop vite</translation>
+  </message>
+  <message>
+   <source>something lies inside the row</source>
+   <translation>quelque chose se trouve dans la rangée</translation>
+  </message>
+  <message>
+   <source>the end column reaches a corner of the feature lines</source>
+   <translation>la colonne du bout atteint un coin des lignes caractéristiques</translation>
+  </message>
+  <message>
+   <source>the front turns too sharply for one more row</source>
+   <translation>le front tourne trop brusquement pour une rangée de plus</translation>
+  </message>
+  <message>
+   <source>the input was repaired</source>
+   <translation>l’entrée a été réparée</translation>
+  </message>
+  <message>
+   <source>the line at the row's end turns back to it</source>
+   <translation>la ligne au bout de la rangée revient vers elle</translation>
+  </message>
+  <message>
+   <source>the triangles ahead are too large for the length of the front's edges</source>
+   <translation>les triangles devant sont trop grands pour la longueur des arêtes du front</translation>
+  </message>
+  <message>
+   <source>the triangles ahead could not be swapped into the row (column)</source>
+   <translation>les triangles devant n’ont pu être basculés pour former la rangée (colonne)</translation>
+  </message>
+  <message>
+   <source>the triangles ahead could not be swapped into the row (top)</source>
+   <translation>les triangles devant n’ont pu être basculés pour former la rangée (bord supérieur)</translation>
+  </message>
+  <message>
+   <source>{} edge cut apart</source>
+   <translation>{} arête découpée</translation>
+  </message>
+  <message>
+   <source>{} edges cut apart</source>
+   <translation>{} arêtes découpées</translation>
+  </message>
+  <message>
+   <source>{} facet doubled dropped</source>
+   <translation>{} facette en double abandonnée</translation>
+  </message>
+  <message>
+   <source>{} facet turned</source>
+   <translation>{} facette retournée</translation>
+  </message>
+  <message>
+   <source>{} facet without all vertices dropped</source>
+   <translation>{} facette sans tous ses sommets abandonnée</translation>
+  </message>
+  <message>
+   <source>{} facet without area removed</source>
+   <translation>{} facette sans aire enlevée</translation>
+  </message>
+  <message>
+   <source>{} facet without finite coordinates dropped</source>
+   <translation>{} facette sans coordonnées finies abandonnée</translation>
+  </message>
+  <message>
+   <source>{} facets doubled dropped</source>
+   <translation>{} facettes en double abandonnées</translation>
+  </message>
+  <message>
+   <source>{} facets turned</source>
+   <translation>{} facettes retournées</translation>
+  </message>
+  <message>
+   <source>{} facets without all vertices dropped</source>
+   <translation>{} facettes sans tous leurs sommets abandonnées</translation>
+  </message>
+  <message>
+   <source>{} facets without area removed</source>
+   <translation>{} facettes sans aire enlevées</translation>
+  </message>
+  <message>
+   <source>{} facets without finite coordinates dropped</source>
+   <translation>{} facettes sans coordonnées finies abandonnées</translation>
+  </message>
+  <message>
+   <source>{} of them have triangles too long and thin for quads ({} triangles)</source>
+   <translation>{} d’entre elles ont des triangles trop longs et fins pour des quadrangles ({} triangles)</translation>
+  </message>
+  <message>
+   <source>{} patches have an odd boundary that nothing can make even</source>
+   <translation>{} faces ont un bord au nombre impair d’arêtes que rien ne peut rendre pair</translation>
+  </message>
+  <message>
+   <source>{} patches were remeshed before: {} triangles became {}, edges up to {}</source>
+   <translation>{} faces ont été remaillées d’abord : {} triangles sont devenus {}, arêtes jusqu’à {}</translation>
+  </message>
+  <message>
+   <source>{} quads are turned over by the surface to which they were brought</source>
+   <translation>{} quadrangles sont retournés par la surface sur laquelle ils ont été mis</translation>
+  </message>
+  <message>
+   <source>{} source nodes could not be merged</source>
+   <translation>{} nœuds de la source n’ont pu être fusionnés</translation>
+  </message>
+  <message>
+   <source>{} triangles are left</source>
+   <translation>il reste {} triangles</translation>
+  </message>
+  <message>
+   <source>{} vertex added</source>
+   <translation>{} sommet ajouté</translation>
+  </message>
+  <message>
+   <source>{} vertex welded</source>
+   <translation>{} sommet soudé</translation>
+  </message>
+  <message>
+   <source>{} vertices added</source>
+   <translation>{} sommets ajoutés</translation>
+  </message>
+  <message>
+   <source>{} vertices welded</source>
+   <translation>{} sommets soudés</translation>
+  </message>
+ </context>
+ <context>
   <name>SourcePanel</name>
   <message>
    <source>(closed)</source>
@@ -837,6 +996,10 @@ avec les sources ajoutées auparavant</translation>
   <message>
    <source>Triangulating</source>
    <translation>Triangulation</translation>
+  </message>
+  <message>
+   <source>{stage} {percent} % – Esc stops it</source>
+   <translation>{stage} {percent} % – Échap l’arrête</translation>
   </message>
  </context>
  <context>

@@ -11,7 +11,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
-LANGUAGES = ("de", "es", "fr")
+LANGUAGES = ("de", "es-ES", "fr")  # as FreeCAD names them, or it does not find them
 _CALLS = ("QT_TRANSLATE_NOOP", "translate")
 
 

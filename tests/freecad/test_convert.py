@@ -1,12 +1,17 @@
 """Meshes to numpy and back."""
 
+import base64
+import threading
+import time
 import unittest
 
+import Fem
 import FreeCAD
 import numpy as np
 from documents import square
 
-from anisoquad import convert, quad_mesh
+from anisoquad import _core, convert, quad_mesh
+from anisoquad.objects import stored_result
 
 
 class MeshToArrays(unittest.TestCase):
@@ -51,8 +56,30 @@ class FemMesh(unittest.TestCase):
             self.assertEqual(set(fem_mesh.getElementNodes(index + 1)), set((mesh.quads[index] + 1).tolist()))
 
     def test_wrong_arrays_are_refused(self):
-        from anisoquad import _core
-
         for points, quads in ((np.zeros((3, 2)), np.zeros((1, 4), int)), (np.zeros((4, 3)), np.zeros((1, 3), int))):
             with self.assertRaises(ValueError):
                 _core.fill_fem_mesh(None, points, quads)
+
+    def test_other_threads_run_while_it_is_filled(self):
+        points, quads = np.zeros((200_000, 3)), np.empty((0, 4), np.int32)
+        points[:, 0] = np.arange(len(points))
+        thread = threading.Thread(target=_core.fill_fem_mesh, args=(Fem.FemMesh(), points, quads))
+        started = last = time.monotonic()
+        longest = 0.0
+        thread.start()
+        while thread.is_alive():
+            time.sleep(0.001)
+            now = time.monotonic()
+            longest, last = max(longest, now - last), now
+        self.assertLess(longest, 0.5 * (last - started))
+
+
+class StoredResult(unittest.TestCase):
+    def test_it_is_read_again_also_as_older_files_hold_it(self):
+        mesh = quad_mesh(*convert.mesh_content(square())[:2])
+        text = stored_result.pack(mesh)
+        data = base64.b64decode(text.split(":")[1])
+        for stored in (text, base64.b85encode(data).decode("ascii")):
+            again = stored_result.unpack(stored, mesh.points, mesh.quads, "{}")
+            for name in ("row", "patch", "node_line", "line_edges"):
+                self.assertTrue(np.array_equal(getattr(again, name), getattr(mesh, name)), name)

@@ -12,7 +12,7 @@ import FreeCAD
 import anisoquad
 
 GUI_FOLDERS = ("viewproviders", "commands", "taskpanels", "picking")
-GUI_MODULES = ("workbench", "preferences", "__main__")
+GUI_MODULES = ("workbench", "preferences", "escape", "__main__")
 
 
 class Rings(unittest.TestCase):

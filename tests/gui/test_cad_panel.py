@@ -155,6 +155,37 @@ class CadPanel(TubeTest):
         self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 10))
         self.assertEqual((quads.Base.Size.Value, quads.Base.Mesh.CountFacets, quads.Quads), (4.0, *before))
 
+    @unittest.skipUnless(has_gmsh(), "Gmsh is not installed")
+    def test_escape_ends_gmsh_in_a_recompute_without_a_panel(self):
+        quads = self.make(triangulator="Gmsh")
+        before = quads.Base.Mesh.CountFacets, quads.Quads
+        started, start, pressed = [], subprocess.Popen, []
+
+        def note(*arguments, **keywords):
+            started.append(start(*arguments, **keywords))
+            return started[-1]
+
+        def press():
+            pressed.append(started[0].poll())
+            self.screenshot("gmsh_recompute")
+            self.click((0, 0, 0))  # other input is not for a document that is being recomputed
+            self.key(QtCore.Qt.Key_Escape)
+
+        self.select()
+        quads.Base.Size = 0.02
+        with mock.patch.object(subprocess, "Popen", note):
+            QtCore.QTimer.singleShot(1000, press)
+            self.doc.recompute()
+        self.assertEqual(pressed, [None], "Gmsh ran when Esc was pressed")
+        self.assertLess(started[0].returncode, 0, "killed by a signal")
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [])
+        self.assertIn("cancelled", quads.Base.getStatusString())
+        self.assertEqual((quads.Base.Mesh.CountFacets, quads.Quads, quads.FemMesh.FaceCount), (*before, before[1]))
+        quads.Base.Size = 4.0
+        self.doc.recompute()
+        self.assertEqual((quads.Base.getStatusString(), quads.getStatusString()), ("Valid", "Valid"))
+        self.assertEqual((quads.Base.Mesh.CountFacets, quads.Quads), before)
+
     def test_without_gmsh_the_panel_names_the_package(self):
         quads = self.make()
         form = self.open(quads)

@@ -7,9 +7,10 @@ import zlib
 import FemGui
 import FreeCAD
 import FreeCADGui
+import Mesh
 import ObjectsFem
+from PySide import QtCore
 from window import WindowTest, wait
-
 
 
 class QuadMeshPanel(WindowTest):
@@ -48,6 +49,41 @@ class QuadMeshPanel(WindowTest):
         self.assertTrue(wait(lambda: not form.findChild(object, "cancel").isEnabled(), 30))
         self.assertGreater(self.pixels_like((232, 89, 64)), before + 500)
         self.screenshot("panel")
+
+    def test_the_table_of_sources_shows_all_its_columns(self):
+        large = Mesh.Mesh(self.base.Mesh)
+        large.transform(FreeCAD.Matrix(1234.0, 0, 0, 0, 0, 1234.0, 0, 0, 0, 0, 1234.0))
+        self.base.Mesh = large
+        self.doc.recompute()
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        quads = self.make_quad_mesh(anisotropy=None, passes="4:6, 2, 2")
+        quads.Sources[0].Label = "Leading edge of the left wing, from root to tip"
+        for language, cancel, sides in (("English", "Cancel", "Sides"), ("German", "Abbrechen", "Seiten"), ("French", "Annuler", "Côtés"),
+                                        ("Spanish", "Cancel", "Lados")):
+            FreeCADGui.setLocale(language)
+            table = self.open(quads).findChild(object, "sources")
+            wait(seconds=0.3)
+            self.assertEqual(table.horizontalHeaderItem(4).text(), sides)
+            self.screenshot(f"sources_{language}")
+            for column in range(table.columnCount()):
+                with self.subTest(language, column=column):
+                    left, width = table.columnViewportPosition(column), table.columnWidth(column)
+                    self.assertGreaterEqual(left, 0)
+                    self.assertLessEqual(left + width, table.viewport().width())
+                    if column > 0:  # the name may be shortened, and is told by the tooltip
+                        self.assertGreaterEqual(width, table.sizeHintForColumn(column))
+            self.assertEqual(table.item(0, 0).toolTip(), quads.Sources[0].Label)
+            self.button(cancel).click()
+            wait()
+
+    def test_numbers_have_no_more_decimals_than_they_need(self):
+        quads = self.make_quad_mesh()
+        quads.FeatureAngle, quads.Size, quads.Growth = 40.0, 0.0, 1.25
+        form = self.open(quads)
+        texts = [form.findChild(object, name).text().replace(",", ".") for name in ("FeatureAngle", "Size", "Growth")]
+        self.assertEqual(texts, ["40°", "0", "1.25"])
+        self.button("OK").click()
+        self.assertEqual(quads.Growth, 1.25)
 
     def test_rows_that_are_known_are_previewed_at_once(self):
         quads = self.make_quad_mesh(anisotropy=16)
@@ -129,6 +165,19 @@ class QuadMeshPanel(WindowTest):
         self.assertTrue(wait(lambda: not form.findChild(object, "cancel").isEnabled(), 20))
         self.assertIn("Stopped", form.findChild(object, "figures").text())
         self.assertEqual(self.nodes(quads), before)
+
+    def test_escape_stops_a_recompute_without_a_panel(self):
+        quads = self.make_quad_mesh()
+        before = self.nodes(quads)
+        source = quads.Sources[0]
+        source.Anisotropy = 3
+        QtCore.QTimer.singleShot(0, lambda: self.key(QtCore.Qt.Key_Escape))
+        self.doc.recompute()
+        self.assertIn("cancelled", quads.getStatusString())
+        self.assertEqual(self.nodes(quads), before)
+        source.Anisotropy = 4
+        self.doc.recompute()
+        self.assertEqual((quads.getStatusString(), self.nodes(quads)), ("Valid", before))
 
     def test_save_close_and_reopen(self):
         quads = self.make_quad_mesh()

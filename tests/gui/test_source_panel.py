@@ -33,6 +33,15 @@ class Picking(WindowTest):
         self.assertEqual(self.source.EdgeCount, 51)
         self.assertFalse(FreeCADGui.Control.activeDialog())
 
+    def test_the_colour_of_a_selection_does_not_cover_the_line(self):
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [])
+        self.click(self.on_leading_edge(40), times=2)
+        wait()
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [])
+        self.button("Cancel").click()
+        wait()
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [self.base])
+
     def test_a_double_click_takes_the_whole_line(self):
         self.click(self.on_leading_edge(40), times=2)
         self.button("OK").click()

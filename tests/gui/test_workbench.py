@@ -46,7 +46,8 @@ class Workbench(WindowTest):
 
     def test_it_speaks_the_users_language(self):
         self.addCleanup(FreeCADGui.setLocale, "English")
-        for language, text in (("German", "Vierecknetz aus Netz"), ("French", "Maillage quadrangulaire à partir d’un maillage")):
+        for language, text in (("German", "Vierecknetz aus Netz"), ("French", "Maillage quadrangulaire à partir d’un maillage"),
+                               ("Spanish", "Malla de cuadriláteros a partir de malla")):
             FreeCADGui.setLocale(language)
             wait(seconds=0.1)
             self.assertEqual(translate("AnisoQuad_QuadMesh", "Quad mesh from mesh"), text)
@@ -67,6 +68,11 @@ class Workbench(WindowTest):
         growth = form.findChild(object, "RowGrowth")
         self.assertEqual(form.findChild(object, "options").labelForField(growth).text(), "Wachstum der Reihen")
         self.assertIn("Höhe einer Reihe", growth.toolTip())
+        quads.touch()
+        self.doc.recompute()
+        self.assertEqual(form.findChild(object, "figures").text().count("Durchgang"), 1)
+        for text in quads.RowsPerPass:
+            self.assertRegex(text, "^Quelle 1, (links|rechts), Durchgang 1 .* Reihen; (.*(Reihe|Rand|Spalte|Dreiecke|Viereck).*)$")
         self.screenshot("german")
         self.button("Abbrechen").click()
 

@@ -17,6 +17,26 @@ def only(condition):
     return objects[0] if len(objects) == 1 and condition(objects[0]) else None
 
 
+class SetAside:
+    """Takes an object out of the selection, whose colour would cover what is drawn over it, until back()."""
+
+    def __init__(self, obj):
+        self._obj = obj
+        self._was_selected = obj in selected()
+        self.again()
+
+    def again(self):
+        """Take it out once more: FreeCAD selects what is double-clicked."""
+        if self._obj is not None and self._obj in selected():
+            FreeCADGui.Selection.removeSelection(self._obj)
+
+    def back(self):
+        """Select it again, unless something else is selected by now. May be called again."""
+        if self._obj is not None and self._was_selected and not selected():
+            FreeCADGui.Selection.addSelection(self._obj)
+        self._obj = None
+
+
 def is_mesh(obj):
     return obj.isDerivedFrom("Mesh::Feature")
 

@@ -12,6 +12,7 @@ from .base_mesh import base_signature
 from .mesh_job import MeshJob
 from .mesh_run import MeshRun
 from .option_properties import add_options
+from .recompute_run import run_in_recompute
 from .report_properties import add_report, show_report
 from .stored_result import unpack
 from .undo_observer import observe
@@ -60,10 +61,10 @@ class QuadMeshObject(properties.SavedByProperties):
         properties.hide(obj, "BaseSignature", "QuadData", "SchemaVersion", "Placement")
 
     def execute(self, obj):
-        """Mesh the base. On an error the old mesh stays, and the object's status says what is wrong."""
+        """Mesh the base. On an error, and when Esc stops it, the old mesh stays, and the object's status says what is wrong."""
         try:
             job = MeshJob.of(obj)
-            run = self.find(job.key) or job.run()
+            run = self.find(job.key) or run_in_recompute(job)
         except Exception as error:
             self.error = error
             raise

@@ -2,6 +2,10 @@
 
 import json
 
+import FreeCAD
+
+from ..compat import translate
+from ..report_texts import shown
 from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 
@@ -35,10 +39,16 @@ def show_report(obj, report):
         for key in path:
             value = value[key]
         setattr(obj, name, value)
+    text = QT_TRANSLATE_NOOP("Report", "Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}")
     obj.RowsPerPass = [
-        f"Source {entry['source'] + 1}, {entry['side']}, pass {entry['pass']} (1:{entry['ratio']}): "
-        f"{entry['rows']} rows; {entry['stopped']}"
+        _in_words("Report", text).format(source=entry["source"] + 1, side=_in_words("SourcePanel", entry["side"]), pass_=entry["pass"],
+                                         ratio=entry["ratio"], rows=entry["rows"], why=shown(entry["stopped"], _in_words))
         for entry in report["passes"]
     ]
-    obj.Warnings = report["warnings"]
+    obj.Warnings = [shown(warning, _in_words) for warning in report["warnings"]]
     obj.Report = json.dumps(report)
+
+
+def _in_words(context, text):
+    """The text in the user's language; without a GUI, which alone knows it, in English."""
+    return translate(context, text) if FreeCAD.GuiUp else text

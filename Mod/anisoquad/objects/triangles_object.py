@@ -4,6 +4,7 @@ import FreeCAD
 
 from ..translation import QT_TRANSLATE_NOOP
 from . import properties
+from .recompute_run import run_in_recompute
 
 SCHEMA_VERSION = 2
 
@@ -47,10 +48,10 @@ class TrianglesObject(properties.SavedByProperties):
         properties.hide(obj, "SchemaVersion")
 
     def execute(self, obj):
-        """Tessellate. Raises MeshError when there is no shape, and when Gmsh is missing or fails."""
+        """Tessellate. Raises MeshError when there is no shape, and when Gmsh is missing, fails, or is stopped by Esc; the old mesh stays then."""
         if obj.Triangulator == "Gmsh":
             job = self.gmsh_job(obj)
-            mesh = self._runs[job.key] if job.key in self._runs else job.run()
+            mesh = self._runs[job.key] if job.key in self._runs else run_in_recompute(job)
             self.keep(job, mesh)
             obj.Mesh = mesh
         else:

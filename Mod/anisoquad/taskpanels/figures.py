@@ -3,6 +3,7 @@
 import json
 
 from ..compat import translate
+from ..report_texts import shown
 
 
 def figures_text(obj):
@@ -13,12 +14,13 @@ def figures_text(obj):
         counts = translate("QuadMeshPanel", "{quads} quads from {triangles} triangles ({reduction:.1f} % fewer elements)")
     else:  # a size was asked for, or few triangles show a CAD shape
         counts = translate("QuadMeshPanel", "{quads} quads from {triangles} triangles")
+    report = json.loads(obj.Report)
     lines = [
         counts.format(quads=obj.Quads, triangles=obj.TrianglesIn, reduction=obj.Reduction),
         translate("QuadMeshPanel", "Scaled Jacobian: worst {worst:.3f}, mean {mean:.3f}; regular nodes: {regular:.1f} %").format(
             worst=obj.MinScaledJacobian, mean=obj.MeanScaledJacobian, regular=obj.RegularNodes),
-        *_rows(json.loads(obj.Report)["passes"]),
-        *(translate("QuadMeshPanel", "Warning: {}").format(warning) for warning in obj.Warnings),
+        *_rows(report["passes"]),
+        *(translate("QuadMeshPanel", "Warning: {}").format(shown(warning, translate)) for warning in report["warnings"]),
     ]
     return "\n".join(lines)
 

@@ -15,6 +15,8 @@ class OptionForm:
         for field, doc in option_fields().items():
             widget = _widget(getattr(defaults, field), getattr(obj, property_name(field)))
             if widget is not None:
+                if field.endswith("_angle"):
+                    widget.setSuffix("°")
                 widget.setObjectName(property_name(field))
                 widget.setToolTip(translate("Options", doc))
                 layout.addRow(translate("Options", option_label(field)), widget)
@@ -24,6 +26,15 @@ class OptionForm:
         """{property of the object: new value} of what differs."""
         values = {property_name(field): _value(widget) for field, widget in self._widgets.items()}
         return {name: value for name, value in values.items() if getattr(self._obj, name) != value}
+
+
+class NumberBox(qt_widgets().QDoubleSpinBox):
+    """Shows no more decimals than the number has."""
+
+    def textFromValue(self, value):
+        text = super().textFromValue(value)
+        point = self.locale().decimalPoint()
+        return text.rstrip("0").rstrip(point) if point in text else text
 
 
 def _widget(default, value):
@@ -36,7 +47,7 @@ def _widget(default, value):
         box = widgets.QSpinBox()
         box.setRange(0, 10**6)
     elif isinstance(default, float):
-        box = widgets.QDoubleSpinBox()
+        box = NumberBox()
         box.setDecimals(4)
         box.setRange(0.0, 1e9)
     else:

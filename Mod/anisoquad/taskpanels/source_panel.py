@@ -2,8 +2,10 @@
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtCore
 
 from ..commands.command import open_transaction, record, reference
+from ..commands.selection import SetAside
 from ..compat import button_box, load_ui, translate
 from ..errors import MeshError
 from ..objects.base_mesh import base_arrays
@@ -32,6 +34,7 @@ class SourcePanel:
         self.form.imprint.setChecked(obj.Imprint)
         self.highlight = Highlight(FreeCADGui.ActiveDocument.ActiveView)
         self.picker = None
+        self.set_aside = SetAside(obj.Base)
         self.path = PickPath(self._surface(), obj.Vertices)
         self.form.pick.setEnabled(self.path.lines is not None and not obj.Edges)
         self.form.pick.toggled.connect(self._toggle_picking)
@@ -94,6 +97,7 @@ class SourcePanel:
             self.picker = None
 
     def _picked(self):
+        QtCore.QTimer.singleShot(0, self.set_aside.again)
         if self.path.edge_count > 1:
             self.form.imprint.setChecked(self.path.lines.is_zigzag(self.path.vertices))
         self.show_figures()
@@ -104,6 +108,7 @@ class SourcePanel:
     def _leave(self):
         self._toggle_picking(False)
         self.highlight.remove()
+        self.set_aside.back()
 
     def _write(self):
         """Set the object's properties; recorded. False, with a message, when they can not be read."""

@@ -7,6 +7,7 @@ from ..source import format_passes, parse_passes
 
 SOURCE, LENGTH, EDGES, PASSES, SIDES = range(5)
 _SIDES = ("both", "left", "right")
+_NARROWEST = 30  # pixels
 
 
 class SourceTable:
@@ -15,8 +16,10 @@ class SourceTable:
     def __init__(self, table):
         self._table = table
         self.sources = []
-        header = table.horizontalHeader()
-        header.setSectionResizeMode(qt_widgets().QHeaderView.ResizeToContents)
+        header, modes = table.horizontalHeader(), qt_widgets().QHeaderView
+        header.setMinimumSectionSize(_NARROWEST)
+        header.setSectionResizeMode(modes.ResizeToContents)
+        header.setSectionResizeMode(SOURCE, modes.Stretch)  # takes what the others leave, its name shortened where that is little
         table.verticalHeader().hide()
 
     def fill(self, sources):
@@ -25,7 +28,9 @@ class SourceTable:
         self._table.setRowCount(len(self.sources))
         for row, source in enumerate(self.sources):
             self._show(row, SOURCE, source.Label)
-            self._show(row, LENGTH, source.Length.UserString)
+            self._table.item(row, SOURCE).setToolTip(source.Label)
+            self._show(row, LENGTH, _short(source.Length))
+            self._table.item(row, LENGTH).setToolTip(source.Length.UserString)
             self._show(row, EDGES, str(source.EdgeCount))
             self._show(row, PASSES, source.Passes or f"1:{source.Anisotropy}", editable=True)
             box = qt_widgets().QComboBox()
@@ -52,6 +57,14 @@ class SourceTable:
         if not editable:
             item.setFlags(item.flags() & ~_editable_flag())
         self._table.setItem(row, column, item)
+
+
+def _short(length):
+    """The length in the user's unit with four digits: "1745 mm" for 1745.14 mm."""
+    _, factor, unit = length.getUserPreferred()
+    number = length.Value / factor
+    whole = len(str(int(abs(number)))) if abs(number) >= 1.0 else 1
+    return f"{number:.{max(4 - whole, 0)}f} {unit}"
 
 
 def _editable_flag():

@@ -7,7 +7,7 @@ from PySide import QtCore
 from .. import preferences
 from ..commands.add_source_command import add_source
 from ..commands.command import transaction
-from ..commands.selection import quad_meshes_on
+from ..commands.selection import SetAside, quad_meshes_on
 from ..compat import button_box, load_ui, qt_widgets, translate
 from ..errors import MeshError
 from ..objects.base_mesh import base_arrays
@@ -29,6 +29,7 @@ class SuggestPanel:
         self.form = load_ui(ui_file("suggest"))
         self.form.anisotropy.setValue(preferences.anisotropy())
         self.highlight = Highlight(FreeCADGui.ActiveDocument.ActiveView)
+        self.set_aside = SetAside(base)
         self.lines = self._suggest()
         self._scene = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
         self._all, self._current = LineNode(_COLOUR, 4), LineNode(_CURRENT_COLOUR, 7)
@@ -66,6 +67,7 @@ class SuggestPanel:
         for node in (self._all, self._current):
             self._scene.removeChild(node.root)
         self.highlight.remove()
+        self.set_aside.back()
         FreeCADGui.Control.closeDialog()
         return True
 

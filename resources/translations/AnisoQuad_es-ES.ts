@@ -1,6 +1,6 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="es" sourcelanguage="en">
+<TS version="2.1" language="es-ES" sourcelanguage="en">
  <context>
   <name>AnisoQuadPreferences</name>
   <message>
@@ -462,6 +462,10 @@ con las fuentes que se le añadieron antes</translation>
  <context>
   <name>QuadMeshPanel</name>
   <message>
+   <source>1:16 is the maximum anisotropy; 4:6, 2, 2 are the merge ratios of the passes, the first with six rows</source>
+   <translation>1:16 es la anisotropía máxima; 4:6, 2, 2 son las razones de fusión de las pasadas, la primera con seis filas</translation>
+  </message>
+  <message>
    <source>1st</source>
    <translation>1.º</translation>
   </message>
@@ -550,8 +554,8 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Opciones</translation>
   </message>
   <message>
-   <source>Passes or 1:n</source>
-   <translation>Pasadas o 1:n</translation>
+   <source>Passes</source>
+   <translation>Pasadas</translation>
   </message>
   <message>
    <source>Patches are the faces of the shape, and all nodes lie exactly on it</source>
@@ -702,6 +706,161 @@ con las fuentes que se le añadieron antes</translation>
   </message>
  </context>
  <context>
+  <name>Report</name>
+  <message>
+   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}</source>
+   <translation>Fuente {source}, {side}, pasada {pass_} (1:{ratio}): {rows} filas; {why}</translation>
+  </message>
+  <message>
+   <source>a boundary, a feature line or another row is too close ahead</source>
+   <translation>un borde, una línea característica u otra fila está demasiado cerca por delante</translation>
+  </message>
+  <message>
+   <source>a column has become too slim</source>
+   <translation>una columna se ha vuelto demasiado estrecha</translation>
+  </message>
+  <message>
+   <source>a quad of the row would be too distorted</source>
+   <translation>un cuadrilátero de la fila quedaría demasiado deformado</translation>
+  </message>
+  <message>
+   <source>another row or the boundary lies directly ahead</source>
+   <translation>otra fila o el borde está justo delante</translation>
+  </message>
+  <message>
+   <source>as many rows as asked for</source>
+   <translation>tantas filas como se pidieron</translation>
+  </message>
+  <message>
+   <source>in {} of them the triangles turn too far from one to the next</source>
+   <translation>en {} de ellas los triángulos giran demasiado de uno al siguiente</translation>
+  </message>
+  <message>
+   <source>in {} of them the triangles' size changes too fast</source>
+   <translation>en {} de ellas el tamaño de los triángulos cambia demasiado rápido</translation>
+  </message>
+  <message>
+   <source>something lies inside the row</source>
+   <translation>hay algo dentro de la fila</translation>
+  </message>
+  <message>
+   <source>the end column reaches a corner of the feature lines</source>
+   <translation>la columna del extremo llega a una esquina de las líneas características</translation>
+  </message>
+  <message>
+   <source>the front turns too sharply for one more row</source>
+   <translation>el frente gira demasiado bruscamente para una fila más</translation>
+  </message>
+  <message>
+   <source>the input was repaired</source>
+   <translation>la entrada se reparó</translation>
+  </message>
+  <message>
+   <source>the line at the row's end turns back to it</source>
+   <translation>la línea al final de la fila vuelve hacia ella</translation>
+  </message>
+  <message>
+   <source>the triangles ahead are too large for the length of the front's edges</source>
+   <translation>los triángulos de delante son demasiado grandes para la longitud de las aristas del frente</translation>
+  </message>
+  <message>
+   <source>the triangles ahead could not be swapped into the row (column)</source>
+   <translation>los triángulos de delante no se pudieron voltear para formar la fila (columna)</translation>
+  </message>
+  <message>
+   <source>the triangles ahead could not be swapped into the row (top)</source>
+   <translation>los triángulos de delante no se pudieron voltear para formar la fila (borde superior)</translation>
+  </message>
+  <message>
+   <source>{} edge cut apart</source>
+   <translation>{} arista separada</translation>
+  </message>
+  <message>
+   <source>{} edges cut apart</source>
+   <translation>{} aristas separadas</translation>
+  </message>
+  <message>
+   <source>{} facet doubled dropped</source>
+   <translation>{} faceta doble descartada</translation>
+  </message>
+  <message>
+   <source>{} facet turned</source>
+   <translation>{} faceta volteada</translation>
+  </message>
+  <message>
+   <source>{} facet without all vertices dropped</source>
+   <translation>{} faceta sin todos sus vértices descartada</translation>
+  </message>
+  <message>
+   <source>{} facet without area removed</source>
+   <translation>{} faceta sin área eliminada</translation>
+  </message>
+  <message>
+   <source>{} facet without finite coordinates dropped</source>
+   <translation>{} faceta sin coordenadas finitas descartada</translation>
+  </message>
+  <message>
+   <source>{} facets doubled dropped</source>
+   <translation>{} facetas dobles descartadas</translation>
+  </message>
+  <message>
+   <source>{} facets turned</source>
+   <translation>{} facetas volteadas</translation>
+  </message>
+  <message>
+   <source>{} facets without all vertices dropped</source>
+   <translation>{} facetas sin todos sus vértices descartadas</translation>
+  </message>
+  <message>
+   <source>{} facets without area removed</source>
+   <translation>{} facetas sin área eliminadas</translation>
+  </message>
+  <message>
+   <source>{} facets without finite coordinates dropped</source>
+   <translation>{} facetas sin coordenadas finitas descartadas</translation>
+  </message>
+  <message>
+   <source>{} of them have triangles too long and thin for quads ({} triangles)</source>
+   <translation>{} de ellas tienen triángulos demasiado largos y finos para cuadriláteros ({} triángulos)</translation>
+  </message>
+  <message>
+   <source>{} patches have an odd boundary that nothing can make even</source>
+   <translation>{} caras tienen un borde con número impar de aristas que nada puede hacer par</translation>
+  </message>
+  <message>
+   <source>{} patches were remeshed before: {} triangles became {}, edges up to {}</source>
+   <translation>{} caras se mallaron antes de nuevo: {} triángulos pasaron a ser {}, aristas de hasta {}</translation>
+  </message>
+  <message>
+   <source>{} quads are turned over by the surface to which they were brought</source>
+   <translation>{} cuadriláteros quedan vueltos por la superficie a la que se llevaron</translation>
+  </message>
+  <message>
+   <source>{} source nodes could not be merged</source>
+   <translation>{} nodos de la fuente no se pudieron fusionar</translation>
+  </message>
+  <message>
+   <source>{} triangles are left</source>
+   <translation>quedan {} triángulos</translation>
+  </message>
+  <message>
+   <source>{} vertex added</source>
+   <translation>{} vértice añadido</translation>
+  </message>
+  <message>
+   <source>{} vertex welded</source>
+   <translation>{} vértice soldado</translation>
+  </message>
+  <message>
+   <source>{} vertices added</source>
+   <translation>{} vértices añadidos</translation>
+  </message>
+  <message>
+   <source>{} vertices welded</source>
+   <translation>{} vértices soldados</translation>
+  </message>
+ </context>
+ <context>
   <name>SourcePanel</name>
   <message>
    <source>(closed)</source>
@@ -837,6 +996,10 @@ con las fuentes que se le añadieron antes</translation>
   <message>
    <source>Triangulating</source>
    <translation>Triangulación</translation>
+  </message>
+  <message>
+   <source>{stage} {percent} % – Esc stops it</source>
+   <translation>{stage} {percent} % – Esc lo detiene</translation>
   </message>
  </context>
  <context>
