@@ -262,11 +262,14 @@ class Pipeline {
         blend_ahead_of_rows(mesh_, reference);
     }
 
-    /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn.
+    /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn as long
+    /// as that helps.
     void smooth_and_repair(const ReferenceSurface& reference, const ReferenceLines& lines) {
+        int inverted = mesh_.face_slots();
         for (int round = 0;; ++round) {
             const FinalSmoothingResult result = smooth_mesh(mesh_, reference, options_, context_, lines);
-            if (result.inverted == 0 || !options_.cleanup || round == kRepairRounds) return;
+            if (result.inverted == 0 || result.inverted >= inverted || !options_.cleanup || round == kRepairRounds) return;
+            inverted = result.inverted;
             if (clean_up(mesh_, reference, context_).operations == 0) return;
         }
     }

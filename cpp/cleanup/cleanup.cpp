@@ -19,9 +19,9 @@ using M = SurfaceMesh;
 
 constexpr int kRounds = 4;                ///< in which regions grow from all nodes round which something changed
 constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular node: none takes forever on a hopeless mesh
-constexpr std::size_t kLeastTries = 500;
+constexpr std::size_t kLeastTries = 200;
 constexpr std::size_t kWorkPerQuad = 60;  ///< quads that are judged in all tries together, per quad of the mesh
-constexpr std::size_t kLeastWork = 5000;
+constexpr std::size_t kLeastWork = 2000;
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes

@@ -6,7 +6,7 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kWide = 2.5;  ///< length over the mean of the wanted sizes
+constexpr double kWide = 3.5;  ///< length over the mean of the wanted sizes
 
 /// The half-edge that leaves v inside the face.
 HalfEdge leaving(const SurfaceMesh& mesh, Vertex v, Face f) {

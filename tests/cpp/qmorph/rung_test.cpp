@@ -16,7 +16,7 @@ using M = SurfaceMesh;
 struct Strip : Prepared {
     Strip() : Prepared(shapes::grid(1, 3, 3.0, 1.0)) {
         quad = form_quad(mesh, mesh.find_halfedge(Vertex(0), Vertex(1)), Vertex(3), Vertex(2));
-        for (const Vertex v : vertices(mesh)) mesh.info(v).size = 1.0;
+        for (const Vertex v : vertices(mesh)) mesh.info(v).size = 0.8;
     }
     HalfEdge rung() const { return mesh.find_halfedge(Vertex(2), Vertex(3)); }
     Face quad;
