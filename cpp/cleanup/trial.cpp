@@ -20,6 +20,8 @@ constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node'
 constexpr double kBad = 0.25;           ///< scaled Jacobian
 constexpr double kUseless = 0.05;       ///< scaled Jacobian
 constexpr double kAnyAspect = 20.0;     ///< for the repair of what is useless
+constexpr double kUpright = 1e-4;       ///< scaled Jacobian up to which a quad is inverted, but for rounding
+constexpr double kAspectOfSlivers = 1e3;  ///< for the repair of what is inverted: between lines that meet at a small angle all is slim
 constexpr double kMadeUseful = 0.01;   ///< gain of the scaled Jacobian that counts as repair where it was useless
 constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
 constexpr double kMoreAspect = 1.5;     ///< for a repair
@@ -71,6 +73,7 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
         const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
         const double judged = upright ? q : -std::abs(q);
         result.worst = std::min(result.worst, judged);
+        result.inverted += judged <= kUpright ? 1 : 0;
         result.deficit += std::max(0.0, kUseless - judged);
         result.mean += q / static_cast<double>(faces.size());
         result.aspect = std::max(result.aspect, aspect_ratio(p[0], p[1], p[2], p[3]));
@@ -90,10 +93,10 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
     if (demands.nearer < 1.0)
         return after.distance <= demands.nearer * before.distance && after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     // One of several useless elements may be mended before the others.
-    const bool fewer_useless = after.deficit <= before.deficit - kMadeUseful;
+    const bool fewer_useless = after.inverted < before.inverted || after.deficit <= before.deficit - kMadeUseful;
     if (demands.improvement > 0.0 && !fewer_useless && after.worst < before.worst + demands.improvement) return false;
     // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
-    if (fewer_useless) return after.aspect <= std::max(before.aspect, kAnyAspect);
+    if (fewer_useless) return after.aspect <= std::max(before.aspect, before.worst > kUpright ? kAnyAspect : kAspectOfSlivers);
     if (before.worst < kBad && after.worst > before.worst + kRepaired) {
         return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     }

@@ -41,6 +41,7 @@ class Trial {
     struct Quality {
         double worst = 1.0;     ///< scaled Jacobian, negative where turned over
         double mean = 1.0;      ///< of the scaled Jacobian
+        int inverted = 0;       ///< elements that are turned over or have a corner of 180°
         double deficit = 0.0;   ///< sum of what elements lack to be of use
         double aspect = 1.0;    ///< largest ratio of longest to shortest edge
         double distance = 0.0;  ///< of the quads' middles and edges from the surface
