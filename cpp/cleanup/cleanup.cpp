@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "cleanup/patterns.h"
@@ -22,6 +23,9 @@ constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular 
 constexpr std::size_t kLeastTries = 200;
 constexpr std::size_t kWorkPerQuad = 60;  ///< quads that are judged in all tries together, per quad of the mesh
 constexpr std::size_t kLeastWork = 2000;
+constexpr std::size_t kTriesPerPoor = 50;    ///< the same for the repair of poor quads
+constexpr std::size_t kWorkPerPoor = 1000;
+constexpr std::size_t kMostPoor = 40;  ///< quads for which there are such tries: a mesh with more is hopeless for other reasons
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
@@ -97,8 +101,16 @@ class Cleaner {
         return replaced;
     }
 
-    /// Poor quads, with what does not make the mesh more irregular; unusable ones with what does too.
+    /// Poor quads, with what does not make the mesh more irregular; unusable ones with what does too. Each has tries of its own, so
+    /// that what is hopeless in one place takes nothing from the others.
     void repair() {
+        std::size_t poor = 0;
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
+            const Face f(i);
+            poor += !mesh_.is_deleted(f) && mesh_.is_quad(f) && mesh_.info(f).row == 0 && scaled_jacobian(mesh_, f) <= kPoor ? 1 : 0;
+        }
+        most_tries_ = std::max(most_tries_, trial_.tries() + kTriesPerPoor * std::min(poor, kMostPoor));
+        most_work_ = std::max(most_work_, trial_.work() + kWorkPerPoor * std::min(poor, kMostPoor));
         for (int round = 0; round < kRepairRounds; ++round) {
             const std::int32_t before = operations_;
             for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair(Face(i));
@@ -108,8 +120,19 @@ class Cleaner {
         }
     }
 
+    /// True for faces of no row round which something changed since they were last given to this function with the same list.
+    bool is_due(Face f, std::vector<std::int32_t>& tried) const {
+        if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0) return false;
+        const auto i = static_cast<std::size_t>(f.index());
+        if (tried.size() <= i) tried.resize(static_cast<std::size_t>(mesh_.face_slots()), -1);
+        const std::int32_t last = std::exchange(tried[i], operations_);
+        bool is_due = last < 0;
+        for (const HalfEdge h : mesh_.halfedges(f)) is_due = is_due || last_change(mesh_.from(h)) > last;
+        return is_due;
+    }
+
     void repair(Face f) {
-        if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0) return;
+        if (!is_due(f, repaired_)) return;
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > kPoor) return;
         const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
@@ -119,7 +142,7 @@ class Cleaner {
 
     /// A quad that spans a fold of the surface is worth irregular nodes, if the new ones lie nearer.
     void bring_nearer(Face f) {
-        if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0 || !is_far(f)) return;
+        if (!is_due(f, brought_nearer_) || !is_far(f)) return;
         if (!change_round(f, kBringNearer) && !inset(f, kBringNearer)) grow_round(f, kBringNearer);
     }
 
@@ -233,6 +256,8 @@ class Cleaner {
     std::queue<Vertex> queue_;
     std::vector<char> queued_;
     std::vector<std::int32_t> changed_;  ///< per node: number of the last operation near it
+    std::vector<std::int32_t> repaired_;        ///< per face: number of the last operation when its repair was last tried, −1 = never
+    std::vector<std::int32_t> brought_nearer_;  ///< the same for bring_nearer()
     std::int32_t last_round_ = 0;        ///< number of the operation before the last round
     std::size_t most_tries_ = 0;
     std::size_t most_work_ = 0;

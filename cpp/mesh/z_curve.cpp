@@ -19,9 +19,9 @@ std::uint64_t spread_bits(std::uint64_t x) {
 
 }  // namespace
 
-std::vector<std::int32_t> order_along_z_curve(std::span<const Point> points) {
+std::vector<std::int32_t> order_along_z_curve(std::int32_t count, const std::function<Point(std::int32_t)>& point) {
     Eigen::AlignedBox3d box;
-    for (const Point& p : points) box.extend(p);
+    for (std::int32_t i = 0; i < count; ++i) box.extend(point(i));
     const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     const double scale = extent > 0.0 ? ((1 << kBits) - 1) / extent : 0.0;
     struct Key {
@@ -29,18 +29,22 @@ std::vector<std::int32_t> order_along_z_curve(std::span<const Point> points) {
         std::int32_t point;
     };
     std::vector<Key> keys;
-    keys.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point cell = scale * (points[i] - box.min());
+    keys.reserve(static_cast<std::size_t>(count));
+    for (std::int32_t i = 0; i < count; ++i) {
+        const Point cell = scale * (point(i) - box.min());
         std::uint64_t code = 0;
         for (int axis = 0; axis < 3; ++axis) code |= spread_bits(static_cast<std::uint64_t>(cell[axis])) << axis;
-        keys.push_back({code, static_cast<std::int32_t>(i)});
+        keys.push_back({code, i});
     }
     std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.code != b.code ? a.code < b.code : a.point < b.point; });
     std::vector<std::int32_t> order;
     order.reserve(keys.size());
     for (const Key& key : keys) order.push_back(key.point);
     return order;
+}
+
+std::vector<std::int32_t> order_along_z_curve(std::span<const Point> points) {
+    return order_along_z_curve(static_cast<std::int32_t>(points.size()), [&](std::int32_t i) { return points[static_cast<std::size_t>(i)]; });
 }
 
 }  // namespace anisoquad

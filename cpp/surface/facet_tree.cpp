@@ -103,12 +103,10 @@ void FacetTree::build_tree() {
     nodes_.clear();
     if (facets_.empty()) return;
     nodes_.reserve(facets_.size());
-    std::vector<Vector3d> middle(facets_.size());
-    for_each(count(), [&](std::int32_t f) {
+    order_ = order_along_z_curve(count(), [this](std::int32_t f) -> Point {
         const auto& [a, b, c] = facets_[at(f)];
-        middle[at(f)] = (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
+        return (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
     });
-    order_ = order_along_z_curve(middle);
 
     // Halves of the curve down to the leaves, each node before its children.
     struct Task {

@@ -259,5 +259,42 @@ TEST(QuadMesh, BadSourcesAndOptionsAreTypedErrors) {
     expect_error(ErrorCode::invalid_feature_edge, shape, {}, edges);
 }
 
+/// Two walls that meet at an angle along an upright edge, and the wedge on top between them.
+shapes::Shape thin_wedge(double degrees, int cells) {
+    shapes::Shape shape;
+    shape.points = {{0, 0, 0}, {0, 0, -1}};
+    const double slope = std::tan(degrees * std::numbers::pi / 180.0);
+    for (int i = 1; i <= cells; ++i) {
+        const double x = 10.0 * i / cells;
+        for (const double z : {0.0, -1.0}) {
+            shape.points.emplace_back(x, 0.0, z);
+            shape.points.emplace_back(x, slope * x, z);
+        }
+    }
+    const auto point = [](int i, int side, int level) { return i == 0 ? level : 2 + 4 * (i - 1) + 2 * level + side; };
+    for (int i = 0; i < cells; ++i) {
+        if (i == 0) {
+            shape.triangles.push_back({0, point(1, 0, 0), point(1, 1, 0)});
+        } else {
+            shape.add_quad(point(i, 0, 0), point(i + 1, 0, 0), point(i + 1, 1, 0), point(i, 1, 0));
+        }
+        shape.add_quad(point(i, 0, 0), point(i, 0, 1), point(i + 1, 0, 1), point(i + 1, 0, 0));
+        shape.add_quad(point(i, 1, 0), point(i + 1, 1, 0), point(i + 1, 1, 1), point(i, 1, 1));
+    }
+    return shape;
+}
+
+TEST(QuadMesh, BetweenLinesThatMeetAtASmallAngleNoCornerIsFlat) {
+    for (const double degrees : {0.4, 1.0, 2.0}) {
+        for (const int cells : {10, 15, 26}) {
+            SCOPED_TRACE(std::to_string(degrees) + "°, " + std::to_string(cells));
+            const shapes::Shape shape = thin_wedge(degrees, cells);
+            const QuadMeshResult result = quad_mesh(shape.points, shape.triangles, {});
+            EXPECT_EQ(result.report.inverted, 0);
+            EXPECT_GT(result.report.scaled_jacobian.min, 0.5 * std::sin(degrees * std::numbers::pi / 180.0));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace anisoquad
