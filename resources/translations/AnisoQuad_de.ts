@@ -594,6 +594,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Quelle</translation>
   </message>
   <message>
+   <source>Source {source} has no rows, {side}: {why}</source>
+   <translation>Quelle {source} hat keine Reihen, {side}: {why}</translation>
+  </message>
+  <message>
    <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
    <translation>Quelle {source}, Durchgang {pass_} (1:{ratio}): Reihen {counts}</translation>
   </message>

@@ -594,6 +594,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Fuente</translation>
   </message>
   <message>
+   <source>Source {source} has no rows, {side}: {why}</source>
+   <translation>La fuente {source} no tiene filas, {side}: {why}</translation>
+  </message>
+  <message>
    <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
    <translation>Fuente {source}, pasada {pass_} (1:{ratio}): filas {counts}</translation>
   </message>

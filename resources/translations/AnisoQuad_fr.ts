@@ -594,6 +594,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>Source</translation>
   </message>
   <message>
+   <source>Source {source} has no rows, {side}: {why}</source>
+   <translation>La source {source} n’a pas de rangées, {side} : {why}</translation>
+  </message>
+  <message>
    <source>Source {source}, pass {pass_} (1:{ratio}): rows {counts}</source>
    <translation>Source {source}, passe {pass_} (1:{ratio}) : rangées {counts}</translation>
   </message>

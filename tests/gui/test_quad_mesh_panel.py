@@ -1,8 +1,10 @@
 """The panel of a quad mesh: Apply, Cancel, errors, preview, undo and redo."""
 
+import json
 import os
 import tempfile
 import zlib
+from types import SimpleNamespace
 
 import FemGui
 import FreeCAD
@@ -11,6 +13,8 @@ import Mesh
 import ObjectsFem
 from PySide import QtCore
 from window import WindowTest, wait
+
+from anisoquad.taskpanels.figures import figures_text
 
 
 class QuadMeshPanel(WindowTest):
@@ -34,6 +38,14 @@ class QuadMeshPanel(WindowTest):
         self.assertEqual(self.doc.UndoCount, 1)
         self.doc.undo()
         self.assertIsNone(self.doc.getObject("QuadMesh"))
+
+    def test_a_side_without_rows_is_told_with_the_reason(self):
+        entry = {"source": 0, "pass": 1, "ratio": 4, "side": "left", "rows": 5, "stopped": "as many rows as asked for"}
+        passes = [entry, {**entry, "side": "right", "rows": 0, "stopped": "a column has become too slim"}]
+        quads = SimpleNamespace(Quads=9, TrianglesIn=20, Reduction=55.0, MinScaledJacobian=0.5, MeanScaledJacobian=0.9, RegularNodes=99.0,
+                                Report=json.dumps({"passes": passes, "warnings": []}))
+        lines = [line for line in figures_text(quads).splitlines() if "no rows" in line]
+        self.assertEqual(lines, ["Source 1 has no rows, right: a column has become too slim"])
 
     def test_the_sources_are_children_and_rows_are_previewed(self):
         quads = self.make_quad_mesh(anisotropy=16)

@@ -26,12 +26,17 @@ def figures_text(obj):
 
 
 def _rows(passes):
-    """One line a source and pass, with the rows of both sides."""
-    rows = {}
+    """One line a source and pass, with the rows of both sides; where a side has none at all, another one says why."""
+    rows, why = {}, {}
     for entry in passes:
         key = entry["source"] + 1, entry["pass"], entry["ratio"]
         rows.setdefault(key, {}).setdefault(entry["side"], []).append(entry["rows"])
+        why.setdefault((entry["source"] + 1, entry["side"]), []).append((entry["rows"], entry["stopped"]))
     for (source, pass_, ratio), sides in rows.items():
         counts = ", ".join(f"{'/'.join(map(str, counts))} {translate('SourcePanel', side)}" for side, counts in sides.items())
         yield translate("QuadMeshPanel", "Source {source}, pass {pass_} (1:{ratio}): rows {counts}").format(
             source=source, pass_=pass_, ratio=ratio, counts=counts)
+    for (source, side), entries in why.items():
+        if not any(count for count, _ in entries):
+            yield translate("QuadMeshPanel", "Source {source} has no rows, {side}: {why}").format(
+                source=source, side=translate("SourcePanel", side), why=shown(entries[0][1], translate))
