@@ -38,6 +38,8 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
 
 namespace {
 
+constexpr int kMostEdges = 32;  ///< of a node whose neighbours are smoothed: those of a fan's hub would take longer than all others together
+
 void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, FacetHints& hints) {
     if (!is_movable(mesh, v)) return;
     bool on_quad = false;
@@ -62,6 +64,7 @@ void smooth_around(SurfaceMesh& mesh, Face quad, const ReferenceSurface* referen
     std::size_t n = 0;
     for (const HalfEdge h : mesh.halfedges(quad)) nodes[n++] = mesh.from(h);
     for (const Vertex v : nodes) {
+        if (mesh.valence(v) > kMostEdges) continue;
         for (const HalfEdge h : mesh.outgoing(v)) {
             const Vertex w = mesh.to(h);
             if (std::find(nodes.begin(), nodes.end(), w) == nodes.end() && std::find(ring.begin(), ring.end(), w) == ring.end()) {

@@ -3,8 +3,10 @@
 import json
 import os
 import tempfile
+import threading
 import zlib
 from types import SimpleNamespace
+from unittest import mock
 
 import FemGui
 import FreeCAD
@@ -15,6 +17,7 @@ from PySide import QtCore
 from window import WindowTest, wait
 
 from anisoquad.taskpanels.figures import figures_text
+from anisoquad.taskpanels.mesh_worker import MeshWorker
 
 
 class QuadMeshPanel(WindowTest):
@@ -38,6 +41,27 @@ class QuadMeshPanel(WindowTest):
         self.assertEqual(self.doc.UndoCount, 1)
         self.doc.undo()
         self.assertIsNone(self.doc.getObject("QuadMesh"))
+
+    def test_a_run_ends_with_its_panel(self):
+        """FreeCAD closes a panel without asking it, as when its document is closed."""
+        polls, poll = [], MeshWorker._poll
+
+        def note(worker):
+            polls.append(worker)
+            poll(worker)
+
+        quads = self.make_quad_mesh(anisotropy=4)
+        quads.Sources[0].touch()
+        self.open(quads)
+        with mock.patch.object(MeshWorker, "_poll", note):
+            self.button("Apply").click()
+            FreeCADGui.Control.closeDialog()
+            self.assertTrue(wait(lambda: not any(thread.name == "AnisoQuad" for thread in threading.enumerate()), 30))
+            wait(seconds=0.3)
+            before = len(polls)
+            self.assertGreater(before, 0)
+            wait(seconds=0.5)
+        self.assertEqual(len(polls), before)
 
     def test_a_side_without_rows_is_told_with_the_reason(self):
         entry = {"source": 0, "pass": 1, "ratio": 4, "side": "left", "rows": 5, "stopped": "as many rows as asked for"}

@@ -51,7 +51,7 @@ class MeshWorker:
 
     def _poll(self):
         self._on_progress(*self._state)
-        if self._outcome is not None:
+        if self._outcome is not None and self._timer.isActive():  # not abandoned
             self._timer.stop()
             call, argument = self._outcome
             call(argument)

@@ -172,6 +172,9 @@ class QuadMeshPanel:
             self.worker.cancel()
 
     def _show_progress(self, stage, fraction):
+        if self.form is None:  # FreeCAD has closed the panel, as it does with the document
+            self.worker.abandon()
+            return
         self.form.progress.setValue(int(1000 * fraction))
         title = translate("Stages", stage_title(stage)) if stage else ""
         self.form.progress.setFormat(f"{title} %p %".lstrip())
