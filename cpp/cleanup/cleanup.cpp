@@ -158,11 +158,16 @@ class Cleaner {
         return bent && reference_.closest(face_middle(mesh_, f), mesh_.info(f).patch).distance > kFar * reference_.diagonal();
     }
 
-    /// The local patterns at a quad's nodes, until one is made.
-    bool change_round(Face f, const Trial::Demands& demands) {
+    std::array<Vertex, 4> nodes_of(Face f) const {
         std::array<Vertex, 4> nodes;
         std::size_t k = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
+        return nodes;
+    }
+
+    /// The local patterns at a quad's nodes, until one is made.
+    bool change_round(Face f, const Trial::Demands& demands) {
+        const std::array<Vertex, 4> nodes = nodes_of(f);
         return std::any_of(nodes.begin(), nodes.end(), [&](Vertex v) {
             find_proposals(v, demands.gain);
             return apply_best(demands);
@@ -178,11 +183,8 @@ class Cleaner {
 
     /// Larger and larger regions round a quad's irregular nodes, until one is meshed anew.
     bool grow_round(Face f, const Trial::Demands& demands) {
-        std::array<Vertex, 4> nodes;
-        std::size_t k = 0;
-        for (const HalfEdge h : mesh_.halfedges(f)) nodes[k++] = mesh_.from(h);
         Region region;
-        for (const Vertex v : nodes) {
+        for (const Vertex v : nodes_of(f)) {
             if (!is_irregular(v) || !may_try() || !growth_.improve(v, {.demands = demands}, region)) continue;
             note_change(region);
             return true;

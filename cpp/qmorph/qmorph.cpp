@@ -108,8 +108,7 @@ class QMorph {
             const Face middle = split_rung(mesh_, h, reference_);
             ++result_.rungs;
             result_.quads += 3;
-            smooth_around(mesh_, middle, reference_, hints_);
-            for (const HalfEdge k : mesh_.halfedges(middle)) refresh(mesh_.from(k), level);
+            settle(middle, level);
             return;
         }
         if (make_quad(h)) {
@@ -139,8 +138,7 @@ class QMorph {
             const Face f = transition_seam(mesh_, h);
             if (f.is_valid()) {
                 ++result_.transitions;
-                smooth_around(mesh_, f, reference_, hints_);
-                for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level + 1);
+                settle(f, level + 1);
                 return true;
             }
             refresh(node, level);
@@ -175,6 +173,12 @@ class QMorph {
         }
     }
 
+    /// After a new quad: its surroundings are smoothed, and the front there is classified anew.
+    void settle(Face quad, std::int32_t level) {
+        smooth_around(mesh_, quad, reference_, hints_);
+        for (const HalfEdge k : mesh_.halfedges(quad)) refresh(mesh_.from(k), level);
+    }
+
     bool make_quad(HalfEdge h) {
         const Vertex a = mesh_.from(h);
         const Vertex b = mesh_.to(h);
@@ -198,8 +202,7 @@ class QMorph {
                 s.tries = 0;
             }
         }
-        smooth_around(mesh_, f, reference_, hints_);
-        for (const HalfEdge k : mesh_.halfedges(f)) refresh(mesh_.from(k), level);
+        settle(f, level);
         return true;
     }
 
