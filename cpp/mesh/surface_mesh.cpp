@@ -15,9 +15,18 @@ int SurfaceMesh::valence(Face f) const {
 }
 
 HalfEdge SurfaceMesh::find_halfedge(Vertex a, Vertex b) const {
-    for (HalfEdge h : outgoing(a)) {
+    const HalfEdge at_a = halfedge(a);
+    const HalfEdge at_b = halfedge(b);
+    if (!at_a.is_valid() || !at_b.is_valid()) return {};
+    // Round both nodes at once, until the one with fewer edges is done: the other may be the hub of a large fan.
+    HalfEdge h = at_a;
+    HalfEdge g = at_b;
+    do {
         if (to(h) == b) return h;
-    }
+        if (to(g) == a) return twin(g);
+        h = rotated_cw(h);
+        g = rotated_cw(g);
+    } while (h != at_a && g != at_b);
     return {};
 }
 

@@ -34,7 +34,8 @@ void opposite_angle(const Point& p, const Point& q, const Point& r, double& cosi
 /// Swaps one edge if that makes it Delaunay and keeps the surface.
 bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& reference, const RemeshOptions& options, std::int32_t& hint) {
     const HalfEdge h = M::halfedge(e);
-    if (!is_flip_ok(mesh, e) || !is_in(options.patches, mesh.info(mesh.face(h)).patch)) return false;
+    if (mesh.is_constrained(e) || !mesh.is_triangle(mesh.face(h)) || !mesh.is_triangle(mesh.face(M::twin(h)))) return false;
+    if (!is_in(options.patches, mesh.info(mesh.face(h)).patch)) return false;
     const Point& p = mesh.position(mesh.from(h));
     const Point& q = mesh.position(mesh.to(h));
     const Point& l = mesh.position(mesh.to(mesh.next(h)));
@@ -45,7 +46,7 @@ bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& re
     // sin(angle sum) < 0: the sum is above π.
     const double scale = std::sqrt((cl * cl + sl * sl) * (cr * cr + sr * sr));
     if (sl * cr + cl * sr > -1e-6 * scale) return false;
-    if (!flip_keeps_surface(mesh, e, kLeastFold)) return false;
+    if (!is_flip_ok(mesh, e) || !flip_keeps_surface(mesh, e, kLeastFold)) return false;
     const std::int32_t patch = mesh.info(mesh.face(h)).patch;
     const SurfacePoint now = reference.closest(0.5 * (p + q), patch, hint);
     hint = now.facet;

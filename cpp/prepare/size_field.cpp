@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <queue>
+#include <utility>
 
 #include "mesh/arrays.h"
 
@@ -48,7 +49,8 @@ void SizeField::limit(std::int32_t facet, double size) {
     kept = std::min(kept, std::max(size, options_.smallest));
 }
 
-double SizeField::coarsen_to(double triangles, std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> facets) {
+double SizeField::coarsen_to(double triangles, std::span<const Point> points,
+                             std::span<const std::array<std::int32_t, 3>> facets) {
     double wanted = 0.0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const auto p = [&](std::size_t k) -> const Point& { return points[static_cast<std::size_t>(facets[f][k])]; };
@@ -61,8 +63,8 @@ double SizeField::coarsen_to(double triangles, std::span<const Point> points, st
     return factor;
 }
 
-/// Elements beside a ridge span half the fold, which may lie off them by as much as coarse ones do; one that is thinner than that is
-/// no matter of theirs.
+/// Elements beside a ridge span half the fold, which may lie off them by as much as coarse ones do; one that is thinner than that
+/// is no matter of theirs.
 double SizeField::size_at_ridge(double radius) const {
     const double most = kSizeAtRidge * options_.largest;
     const double off = kOffRidge * options_.sagitta;
@@ -116,9 +118,12 @@ void SizeField::limit_by_width(const SurfaceMesh& mesh) {
 double SizeField::size_at(const SurfaceMesh& mesh, Vertex v, std::int32_t& hint) const {
     // A node on a line touches several patches: the smallest size of them counts.
     double size = options_.vertex_size.empty() ? options_.largest : 1e300;
+    std::int32_t before = -1;
     for (const HalfEdge h : mesh.outgoing(v)) {
         if (mesh.is_boundary(h)) continue;
-        const SurfacePoint closest = reference_.closest(mesh.position(v), mesh.info(mesh.face(h)).patch, hint);
+        const std::int32_t patch = mesh.info(mesh.face(h)).patch;
+        if (std::exchange(before, patch) == patch) continue;
+        const SurfacePoint closest = reference_.closest(mesh.position(v), patch, hint);
         if (closest.facet >= 0) {
             hint = closest.facet;
             size = std::min(size, facet_size_[static_cast<std::size_t>(hint)]);
@@ -128,7 +133,8 @@ double SizeField::size_at(const SurfaceMesh& mesh, Vertex v, std::int32_t& hint)
     return size;
 }
 
-void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept, std::span<const double> most) const {
+void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept,
+                       std::span<const double> most) const {
     struct Bound {
         double size;
         Vertex v;

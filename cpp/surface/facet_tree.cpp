@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "mesh/z_curve.h"
 #include "parallel.h"
@@ -17,9 +20,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::int32_t kLeafSize = 4;
-constexpr int kStackSize = 96;      ///< median splits halve: the depth is below 40
-constexpr int kWalkLimit = 64;      ///< facets
-constexpr double kNearOfHeight = 0.05;    ///< distances at which a walk's end needs no search: over the smallest height of the facet
+constexpr int kStackSize = 96;  ///< two cuts halve, also between patches: the depth is below 70
+constexpr int kWalkLimit = 64;  ///< facets
+constexpr double kNearOfHeight =
+    0.05;  ///< distances at which a walk's end needs no search: over the smallest height of the facet
 constexpr double kNearOfDiagonal = 2e-4;  ///< and over the diagonal
 constexpr double kRounding = 1.0 + 1e-12;
 
@@ -76,7 +80,8 @@ void FacetTree::find_neighbours() {
     for (std::size_t v = 0; v < points_.size(); ++v) {
         const auto begin = sides.begin() + first[v];
         const auto end = sides.begin() + first[v + 1];
-        std::sort(begin, end, [](const Side& a, const Side& b) { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
+        std::sort(begin, end,
+                  [](const Side& a, const Side& b) { return std::tie(a.high, a.corner) < std::tie(b.high, b.corner); });
         for (auto a = begin; a != end; ++a) {
             const auto b = a + 1;
             if (b == end || a->high != b->high) continue;
@@ -99,16 +104,53 @@ void FacetTree::measure_facets() {
     });
 }
 
+/// The facets of each patch stand together, the patches along a Z-order curve of their middles, the facets of each along one too.
+void FacetTree::order_facets() {
+    const auto middle = [this](std::int32_t f) -> Point {
+        const auto& [a, b, c] = facets_[at(f)];
+        return (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
+    };
+    order_ = order_along_z_curve(count(), middle);
+    const std::int32_t patches = patch_.empty() ? 0 : *std::max_element(patch_.begin(), patch_.end()) + 1;
+    patch_root_.assign(at(patches), -1);
+    if (patches < 2) return;
+    std::vector<Point> middles(at(patches), Point::Zero());
+    std::vector<std::int32_t> next(at(patches), 0);
+    for (std::int32_t f = 0; f < count(); ++f) {
+        middles[at(patch_[at(f)])] += middle(f);
+        ++next[at(patch_[at(f)])];
+    }
+    for (std::size_t p = 0; p < middles.size(); ++p) middles[p] /= std::max(1, next[p]);
+    std::int32_t first = 0;
+    for (const std::int32_t p : order_along_z_curve(middles)) first += std::exchange(next[at(p)], first);
+    std::vector<std::int32_t> order(order_.size());
+    for (const std::int32_t f : order_) order[at(next[at(patch_[at(f)])]++)] = f;
+    order_ = std::move(order);
+}
+
+/// Where to cut a range of order_: in the middle, or between two patches where that is nearest to it.
+std::int32_t FacetTree::cut(std::int32_t first, std::int32_t last) const {
+    const auto patch = [this](std::int32_t i) { return patch_[at(order_[at(i)])]; };
+    const std::int32_t half = first + (last - first) / 2;
+    if (patch(first) == patch(last - 1)) return half;
+    const auto begin = order_.begin() + first;
+    const auto of_half = [&](std::int32_t f) { return patch_[at(f)] == patch(half); };
+    const auto low = static_cast<std::int32_t>(
+        std::find_if(std::make_reverse_iterator(order_.begin() + half), std::make_reverse_iterator(begin), std::not_fn(of_half))
+            .base() -
+        order_.begin());
+    const auto high = static_cast<std::int32_t>(std::find_if(order_.begin() + half, order_.begin() + last, std::not_fn(of_half)) -
+                                                order_.begin());
+    return low > first && (high == last || half - low <= high - half) ? low : high;
+}
+
 void FacetTree::build_tree() {
     nodes_.clear();
     if (facets_.empty()) return;
     nodes_.reserve(facets_.size());
-    order_ = order_along_z_curve(count(), [this](std::int32_t f) -> Point {
-        const auto& [a, b, c] = facets_[at(f)];
-        return (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
-    });
+    order_facets();
 
-    // Halves of the curve down to the leaves, each node before its children.
+    // Parts of the order down to the leaves, each node before its children.
     struct Task {
         std::int32_t first, last, parent;  ///< parent: the node whose right child this is, -1 = a left child
     };
@@ -119,10 +161,15 @@ void FacetTree::build_tree() {
         const auto index = static_cast<std::int32_t>(nodes_.size());
         if (task.parent >= 0) nodes_[at(task.parent)].first = index;
         Node& node = nodes_.emplace_back();
-        if (task.last - task.first > kLeafSize) {
-            const std::int32_t half = task.first + (task.last - task.first) / 2;
-            tasks.push_back({half, task.last, index});
-            tasks.push_back({task.first, half, -1});
+        const bool is_uniform = patch_[at(order_[at(task.first)])] == patch_[at(order_[at(task.last - 1)])];
+        if (is_uniform) {
+            std::int32_t& root = patch_root_[at(patch_[at(order_[at(task.first)])])];
+            if (root < 0) root = index;
+        }
+        if (task.last - task.first > kLeafSize || !is_uniform) {
+            const std::int32_t middle = cut(task.first, task.last);
+            tasks.push_back({middle, task.last, index});
+            tasks.push_back({task.first, middle, -1});
         } else {
             node.first = task.first;
             node.count = task.last - task.first;
@@ -132,11 +179,9 @@ void FacetTree::build_tree() {
     for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
         if (node->count > 0) {
             Eigen::AlignedBox3d box;
-            node->patch = patch_[at(order_[at(node->first)])];
             for (std::int32_t i = node->first; i < node->first + node->count; ++i) {
                 const std::int32_t f = order_[at(i)];
                 for (const std::int32_t v : facets_[at(f)]) box.extend(points_[at(v)]);
-                if (patch_[at(f)] != node->patch) node->patch = kAnyPatch;
             }
             node->low = rounded(box.min(), -std::numeric_limits<float>::infinity());
             node->high = rounded(box.max(), std::numeric_limits<float>::infinity());
@@ -145,7 +190,6 @@ void FacetTree::build_tree() {
             const Node& right = nodes_[at(node->first)];
             node->low = left.low.cwiseMin(right.low);
             node->high = left.high.cwiseMax(right.high);
-            node->patch = left.patch == right.patch ? left.patch : kAnyPatch;
         }
     }
 }
@@ -213,21 +257,22 @@ FacetTree::Hit FacetTree::closest_or_within(const Point& p, std::int32_t patch, 
 
 /// The closest point of all facets, if it is closer than the best one so far.
 void FacetTree::search(const Point& p, std::int32_t patch, Hit& best) const {
-    if (nodes_.empty()) return;
+    if (nodes_.empty() || patch >= static_cast<std::int32_t>(patch_root_.size())) return;
+    const std::int32_t root = patch == kAnyPatch ? 0 : patch_root_[at(patch)];
+    if (root < 0) return;
     struct Entry {
         std::int32_t node;
         double distance2;
     };
     std::array<Entry, kStackSize> stack;
     int top = 0;
-    stack[0] = {0, 0.0};
+    stack[0] = {root, 0.0};
     while (top >= 0) {
         const Entry entry = stack[at(top--)];
         // Equally close boxes are opened too, and those that rounding alone makes farther: of equally close facets the lowest
         // index wins, whatever came first.
         if (entry.distance2 > best.distance2 * kRounding) continue;
         const Node& node = nodes_[at(entry.node)];
-        if (patch != kAnyPatch && node.patch != kAnyPatch && node.patch != patch) continue;
         if (node.count > 0) {
             for (std::int32_t i = 0; i < node.count; ++i) try_facet(p, order_[at(node.first + i)], patch, best);
             continue;

@@ -9,15 +9,16 @@
 
 namespace anisoquad {
 
-/// Triangles in a bounding-volume hierarchy in one flat array, with their neighbours: closest points. Of equally close facets the
-/// lowest index wins. Queries are const and may run in parallel.
+/// Triangles in a bounding-volume hierarchy in one flat array, with their neighbours: closest points, of all facets or
+/// of those of one patch, which stand together in it. Of equally close facets the lowest index wins. Queries are const and may
+/// run in parallel.
 class FacetTree {
   public:
     static constexpr std::int32_t kAnyPatch = -1;
 
     struct Hit {
         double distance2;
-        std::int32_t facet;       ///< -1: none
+        std::int32_t facet;  ///< -1: none
         Point position;
         Eigen::Vector3d weights;  ///< barycentric
     };
@@ -26,7 +27,8 @@ class FacetTree {
     /// @param patch of each facet; empty: all are patch 0
     FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch = {});
 
-    /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the answer: a
+    /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the
+    /// answer: a
     ///        closest point of the sheet that the hint lies on. Else all facets are searched.
     Hit closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
     /// The exact closest point, or, if the walk from the hint finds one within the squared distance `enough2`, any such point.
@@ -38,7 +40,9 @@ class FacetTree {
     const std::array<std::int32_t, 3>& facet(std::int32_t f) const { return facets_[static_cast<std::size_t>(f)]; }
     std::int32_t patch(std::int32_t f) const { return patch_[static_cast<std::size_t>(f)]; }
     /// Facet across the edge from corner k to k + 1, -1: none.
-    std::int32_t neighbour(std::int32_t f, int k) const { return neighbour_[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)]; }
+    std::int32_t neighbour(std::int32_t f, int k) const {
+        return neighbour_[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)];
+    }
     /// Diagonal of the bounding box.
     double diagonal() const { return diagonal_; }
 
@@ -48,11 +52,12 @@ class FacetTree {
         Eigen::Vector3f high;
         std::int32_t first = 0;  ///< leaf: first of its entries in order_; inner node: its right child (the left one follows it)
         std::int32_t count = 0;  ///< leaf: number of facets, 0 = inner node
-        std::int32_t patch = kAnyPatch;  ///< patch of all facets below, kAnyPatch = several
     };
 
     void find_neighbours();
     void measure_facets();
+    void order_facets();
+    std::int32_t cut(std::int32_t first, std::int32_t last) const;
     void build_tree();
     void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const;
     void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Hit& best) const;
@@ -65,7 +70,8 @@ class FacetTree {
     std::vector<std::array<std::int32_t, 3>> neighbour_;
     std::vector<float> near2_;  ///< per facet: squared distance at which a walk that ends there needs no search
     std::vector<Node> nodes_;
-    std::vector<std::int32_t> order_;  ///< facets in the order of the leaves
+    std::vector<std::int32_t> order_;       ///< facets in the order of the leaves
+    std::vector<std::int32_t> patch_root_;  ///< per patch: the node with all its facets, -1 = none
     double diagonal_ = 0.0;
 };
 

@@ -63,6 +63,21 @@ TEST(SurfaceMesh, ArraysComeBackAsTheyWere) {
     EXPECT_LT(arrays.points.size(), shape.points.size());  // the points inside the hole are not written
 }
 
+TEST(SurfaceMesh, FindHalfedgeFindsEveryEdgeAndNoOther) {
+    for (const shapes::Shape& shape : {shapes::grid(3, 2), shapes::sphere(7, 5), shapes::cylinder(5, 2)}) {
+        const SurfaceMesh mesh = shape.mesh();
+        for (std::int32_t a = 0; a < mesh.vertex_slots(); ++a) {
+            for (std::int32_t b = 0; b < mesh.vertex_slots(); ++b) {
+                HalfEdge expected;
+                for (const HalfEdge h : mesh.outgoing(Vertex(a))) {
+                    if (mesh.to(h) == Vertex(b)) expected = h;
+                }
+                EXPECT_EQ(mesh.find_halfedge(Vertex(a), Vertex(b)), expected);
+            }
+        }
+    }
+}
+
 TEST(SurfaceMesh, FindHalfedgeIsDirected) {
     const SurfaceMesh mesh = shapes::grid(2, 2).mesh();
     const HalfEdge h = mesh.find_halfedge(Vertex(0), Vertex(1));

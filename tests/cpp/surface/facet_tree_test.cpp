@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "shapes.h"
+#include "surface/closest_on_triangle.h"
 
 namespace anisoquad {
 namespace {
@@ -44,6 +46,34 @@ TEST(FacetTree, AWalkFromAnyHintEndsAtTheClosestFacetOrIsFollowedByASearch) {
         const FacetTree::Hit exact = tree.closest(p, FacetTree::kAnyPatch, -1);
         EXPECT_EQ(tree.closest_or_within(p, FacetTree::kAnyPatch, hint, -1.0).facet, exact.facet);
         EXPECT_NEAR(std::sqrt(tree.closest(p, FacetTree::kAnyPatch, hint).distance2), std::sqrt(exact.distance2), 1e-4 * tree.diagonal());
+    }
+}
+
+/// Patches of very different sizes, mixed in space; some numbers have no facet.
+TEST(FacetTree, ASearchInOnePatchFindsWhatTryingAllItsFacetsFinds) {
+    const shapes::Shape shape = shapes::torus(40, 20);
+    std::vector<std::int32_t> patch;
+    std::mt19937 random(5);
+    for (std::size_t f = 0; f < shape.triangles.size(); ++f) patch.push_back(f % 3 != 0 ? 7 : static_cast<std::int32_t>(random() % 40) + 8);
+    patch.front() = 3;  // a patch of one facet
+    const FacetTree tree(shape.points, shape.triangles, patch);
+    EXPECT_EQ(tree.closest(Point::Zero(), 5, -1).facet, -1);
+    EXPECT_EQ(tree.closest(Point::Zero(), 100, -1).facet, -1);
+    EXPECT_EQ(tree.closest(Point::Zero(), 3, -1).facet, 0);
+    for (int i = 0; i < 300; ++i) {
+        const Point p = 3.0 * Point::Random();
+        const auto wanted = i % 3 == 0 ? FacetTree::kAnyPatch : static_cast<std::int32_t>(7 + i % 41);
+        double least2 = std::numeric_limits<double>::infinity();
+        for (std::int32_t f = 0; f < tree.count(); ++f) {
+            if (wanted != FacetTree::kAnyPatch && tree.patch(f) != wanted) continue;
+            const auto& [a, b, c] = tree.facet(f);
+            least2 = std::min(least2, (closest_on_triangle(p, tree.point(a), tree.point(b), tree.point(c)) - p).squaredNorm());
+        }
+        const FacetTree::Hit hit = tree.closest(p, wanted, -1);
+        EXPECT_DOUBLE_EQ(hit.distance2, least2);
+        if (wanted != FacetTree::kAnyPatch && hit.facet >= 0) {
+            EXPECT_EQ(tree.patch(hit.facet), wanted);
+        }
     }
 }
 
