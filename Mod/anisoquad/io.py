@@ -14,7 +14,7 @@ from .quality import scaled_jacobian
 def read_triangles(path):
     """(points (N,3) float64, triangles (M,3) int32) of a .stl, .obj, .off or .ply file.
 
-    The points keep the file's order; those of an .stl are welded where equal, and ordered by coordinates.
+    The points keep the file's order; those of an .stl are welded where equal, in the order in which they appear.
     Raises MeshError ("unreadable_file") when the file can not be read, or holds facets that are not triangles.
     """
     path = Path(path)
@@ -102,6 +102,20 @@ def _read_by_meshio(path):
     return mesh.points[:, :3], _triangles(path, facets)
 
 
+def _read_stl(path):
+    with path.open("rb") as file:
+        count = np.frombuffer(file.read(84)[80:], "<u4")
+    facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    if count.size == 0 or path.stat().st_size != 84 + int(count[0]) * facet.itemsize:
+        return _read_by_meshio(path)  # text, or broken
+    corners = np.fromfile(path, facet, offset=84)["corners"].reshape(-1, 3)
+    _, first, ids = np.unique(corners, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    return corners[first[order]], rank[ids.reshape(-1, 3)]
+
+
 def _triangles(path, facets):
     for index, facet in enumerate(facets):
         if len(facet) != 3:
@@ -187,5 +201,5 @@ def _write_rows(out, layout, ids, rows):
     out.writelines(layout.format(id_, *row) for id_, row in zip(ids.tolist(), rows.tolist()))
 
 
-_READERS = {".stl": _read_by_meshio, ".obj": _read_obj, ".off": _read_off, ".ply": _read_by_meshio}
+_READERS = {".stl": _read_stl, ".obj": _read_obj, ".off": _read_off, ".ply": _read_by_meshio}
 _WRITERS = {".vtu": _write_vtu, ".inp": _write_inp, ".msh": _write_msh, ".su2": _write_su2, ".obj": _write_obj}

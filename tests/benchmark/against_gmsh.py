@@ -69,7 +69,7 @@ def mesh_by_ourselves(stl, folder):
     """The same of the core and of the command-line tool."""
     report = folder / "report.json"
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "Mod")}
-    _, seconds, memory = run([sys.executable, "-m", "anisoquad", stl, folder / "out.vtu", "--report", report], env=environment)
+    _, seconds, memory = run([sys.executable, "-m", "anisoquad", stl, folder / "out.obj", "--report", report], env=environment)
     figures = json.loads(report.read_text())
     return sum(stage["seconds"] for stage in figures["times"]), seconds, memory
 

@@ -43,6 +43,18 @@ class Read(Folder):
                 if name != "a.stl":
                     self.assertTrue(np.array_equal(read, triangles))
 
+    def test_text_and_binary_stl_give_the_same_points_in_the_order_of_the_file(self):
+        points, triangles = surfaces.sphere(3)
+        read = []
+        for name, binary in (("text.stl", False), ("binary.stl", True)):
+            path = self.file(name)
+            meshio.Mesh(np.float32(points), [("triangle", triangles)]).write(path, binary=binary)
+            read.append(read_triangles(path))
+        self.assertTrue(np.allclose(read[0][0], read[1][0], atol=1e-6))
+        self.assertTrue(np.array_equal(read[0][1], read[1][1]))
+        _, first = np.unique(read[1][1].ravel(), return_index=True)
+        self.assertTrue(np.all(np.diff(first) > 0))
+
     def test_off_with_comments_colours_and_counts_in_the_first_line(self):
         for text in (OFF, "# a square\n" + OFF.replace("0 1 2\n", "0 1 2 255 0 0\n"), OFF.replace("OFF\n", "OFF ")):
             points, triangles = read_triangles(self.file("a.off", text))
