@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "anisotropy/geodesic_trace.h"
@@ -9,6 +10,7 @@
 #include "anisotropy/rows.h"
 #include "anisotropy/segmentation.h"
 #include "anisotropy/source_sides.h"
+#include "anisotropy/split_stack.h"
 #include "anisotropy/transition.h"
 #include "mesh/area_vector.h"
 #include "prepare/remesh.h"
@@ -18,23 +20,26 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kLongestHeight = 1.6;  // of a row over the width of its columns, see RowLimits
-constexpr double kLaterHeight = 0.5;    // wanted height of later passes' rows over the length of their front edges
+constexpr double kLongestHeight = 1.6;   // of a row over the width of its columns, see RowLimits
+constexpr double kLaterHeight = 0.5;     // wanted height of later passes' rows over the length of their front edges
 constexpr double kFreeShare = 0.3;       // of the way to the next obstacle that the last pass leaves free
 constexpr double kFreeShareLater = 0.1;  // more for each later pass
-constexpr double kReserve = 3.0;        // heights that are left to each later pass
-constexpr double kFreeAhead = 1.0;      // free way ahead of the rows over the length of a merged edge
-constexpr double kColumnAtEnd = 1.0;    // least width of the merged end columns over the height of the uppermost row
+constexpr double kReserve = 3.0;         // heights that are left to each later pass
+constexpr double kFreeAhead = 1.0;       // free way ahead of the rows over the length of a merged edge
+constexpr double kColumnAtEnd = 1.0;     // least width of the merged end columns over the height of the uppermost row
 constexpr double kEvenDeviation = 1e-3;  // off the surface, over its diagonal, by swaps where a side has no rows
-constexpr double kSagitta = 0.25;       // of a merged edge over the height of the first row
+constexpr std::size_t kFewRows =
+    3;                             ///< of a pass (one is given back): only before them a stack is split where columns do not fit
+constexpr int kLeastSegments = 4;  // merged edges that a part of a split stack has room for
+constexpr double kSagitta = 0.25;  // of a merged edge over the height of the first row
 constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
 
 /// A source with its nodes of the moment.
 struct Line {
     std::vector<Vertex> nodes;
-    std::vector<Point> original;       ///< the picked polyline
-    std::vector<std::size_t> index;    ///< of each node in it
-    std::vector<char> sharp;           ///< per edge of it: a feature line too, or the boundary
+    std::vector<Point> original;     ///< the picked polyline
+    std::vector<std::size_t> index;  ///< of each node in it
+    std::vector<char> sharp;         ///< per edge of it: a feature line too, or the boundary
     bool closed = false;
 };
 
@@ -42,7 +47,13 @@ class MultiPass {
   public:
     MultiPass(SurfaceMesh& mesh, std::span<const Source> sources, const LocalSize& size, const ReferenceSurface& reference,
               const Options& options, const StageObserver& observe, Context& context)
-        : mesh_(mesh), sources_(sources), size_(size), reference_(reference), options_(options), observe_(observe), context_(context) {}
+        : mesh_(mesh),
+          sources_(sources),
+          size_(size),
+          reference_(reference),
+          options_(options),
+          observe_(observe),
+          context_(context) {}
 
     MultiPassResult run() {
         stacks_ = source_sides(mesh_, sources_);
@@ -75,88 +86,128 @@ class MultiPass {
     }
 
     void run_pass(std::size_t p) {
-        const std::vector<std::size_t> before = rows_of_all();
         advance_rows(p);
         const std::string name = "pass " + std::to_string(p + 1);
         if (observe_) observe_(name + ": rows");
         std::vector<std::size_t> columns;
         for (const RowStack& stack : stacks_) columns.push_back(stack.columns());
         std::vector<char> merged;
-        for (std::size_t s = 0; s < sources_.size(); ++s) merge_source(s, p, before, merged);
-        if (std::find(merged.begin(), merged.end(), 1) != merged.end()) swap_towards_delaunay(mesh_, merged, reference_, {.deviation = kEvenDeviation});
+        for (std::size_t s = 0; s < sources_.size(); ++s) merge_source(s, p, merged);
+        if (std::find(merged.begin(), merged.end(), 1) != merged.end())
+            swap_towards_delaunay(mesh_, merged, reference_, {.deviation = kEvenDeviation});
         for (std::size_t i = 0; i < stacks_.size(); ++i) {
             const Pass* pass = pass_of(stacks_[i], p);
             if (!pass) continue;
             const std::size_t rows = stacks_[i].rows();
-            result_.passes.push_back({stacks_[i].source, static_cast<std::int32_t>(p) + 1, stacks_[i].left ? "left" : "right", pass->ratio,
-                                      static_cast<std::int32_t>(rows > before[i] ? rows - before[i] : 0),
-                                      static_cast<std::int32_t>(columns[i]), stacks_[i].stopped});
+            result_.passes.push_back(
+                {stacks_[i].source, static_cast<std::int32_t>(p) + 1, stacks_[i].left ? "left" : "right", pass->ratio,
+                 static_cast<std::int32_t>(rows > stacks_[i].rows_before ? rows - stacks_[i].rows_before : 0),
+                 static_cast<std::int32_t>(columns[i]), stacks_[i].stopped});
         }
         if (observe_) observe_(name + ": merge");
     }
 
-    std::vector<std::size_t> rows_of_all() const {
-        std::vector<std::size_t> rows;
-        for (const RowStack& stack : stacks_) rows.push_back(stack.rows());
-        return rows;
-    }
-
     /// All stacks in step: one row each, until none can go on.
     void advance_rows(std::size_t p) {
-        std::vector<char> active(stacks_.size(), 1);
-        for (std::size_t step = 0; std::count(active.begin(), active.end(), 1) > 0; ++step) {
+        stacks_ = join_stacks(std::move(stacks_));
+        for (RowStack& stack : stacks_) {
+            stack.rows_before = stack.rows();
+            stack.is_running = pass_of(stack, p) != nullptr;
+        }
+        const auto is_running = [](const RowStack& stack) { return stack.is_running; };
+        for (int step = 0; std::any_of(stacks_.begin(), stacks_.end(), is_running); ++step) {
             for (std::size_t i = 0; i < stacks_.size(); ++i) {
-                if (!active[i]) continue;
-                const Pass* pass = pass_of(stacks_[i], p);
-                active[i] = 0;
-                if (!pass) continue;
+                if (!stacks_[i].is_running) continue;
+                const Pass& pass = *pass_of(stacks_[i], p);
                 // One row more than asked for: the uppermost is given back as triangles.
-                const std::size_t wanted = static_cast<std::size_t>(pass->rows) + (pass->ratio > 1 ? 1 : 0);
-                if (pass->rows > 0 && step >= wanted) {
+                if (pass.rows > 0 && step >= pass.rows + (pass.ratio > 1 ? 1 : 0)) {
+                    stacks_[i].is_running = false;
                     stacks_[i].stopped = "as many rows as asked for";
                     continue;
                 }
-                RowLimits limits;
-                limits.pass = static_cast<int>(p) + 1;
-                limits.longest_height = kLongestHeight;
-                limits.growth = options_.row_growth;
-                limits.height_of_width = p > 0 ? kLaterHeight : 0.0;
-                const auto& passes = sources_[static_cast<std::size_t>(stacks_[i].source)].passes;
-                limits.free_share = kFreeShare + kFreeShareLater * static_cast<double>(passes.size() - p - 1);
-                limits.clearance = 1.9 + kReserve * static_cast<double>(passes.size() - p - 1);
-                active[i] = build_row(mesh_, stacks_[i], size_, reference_, limits);
-                context_.report(static_cast<double>(p) / static_cast<double>(pass_count_));
+                const RowLimits limits = limits_of(stacks_[i], p);
+                // After a split the parts that can go on follow in this step.
+                do {
+                    stacks_[i].is_running = stacks_[i].is_running && build_row(mesh_, stacks_[i], size_, reference_, limits);
+                    context_.report(static_cast<double>(p) / static_cast<double>(pass_count_));
+                } while (!stacks_[i].is_running && split(i, pass));
             }
         }
     }
 
-    bool is_active(std::size_t s, std::size_t p, const std::vector<std::size_t>& before) const {
-        if (p >= sources_[s].passes.size() || sources_[s].passes[p].ratio < 2) return false;
-        for (std::size_t i = 0; i < stacks_.size(); ++i) {
-            // A single row would be given back after the merge: nothing but longer triangles would be left of it.
-            if (stacks_[i].source == static_cast<std::int32_t>(s) && stacks_[i].rows() > before[i] + 1) return true;
-        }
-        return false;
+    RowLimits limits_of(const RowStack& stack, std::size_t p) const {
+        const auto later = static_cast<double>(sources_[static_cast<std::size_t>(stack.source)].passes.size() - p - 1);
+        RowLimits limits;
+        limits.pass = static_cast<int>(p) + 1;
+        limits.longest_height = kLongestHeight;
+        limits.growth = options_.row_growth;
+        limits.height_of_width = p > 0 ? kLaterHeight : 0.0;
+        limits.free_share = kFreeShare + kFreeShareLater * later;
+        limits.clearance = 1.9 + kReserve * later;
+        return limits;
     }
 
-    /// @param merged per vertex, receives 1 for the source's nodes and their neighbours: where a side has no rows, its triangles there have become
-    /// slivers
-    void merge_source(std::size_t s, std::size_t p, const std::vector<std::size_t>& before, std::vector<char>& merged) {
-        if (!is_active(s, p, before)) return;
+    /// Puts parts into a stack's place, where some of its columns keep all from the first few rows of a pass.
+    bool split(std::size_t i, const Pass& pass) {
+        if (stacks_[i].rows() >= stacks_[i].rows_before + kFewRows) return false;
+        std::vector<RowStack> parts = split_stack(mesh_, stacks_[i], static_cast<std::size_t>(kLeastSegments * pass.ratio));
+        if (parts.empty()) return false;
+        const auto place = stacks_.erase(stacks_.begin() + static_cast<std::ptrdiff_t>(i));
+        stacks_.insert(place, std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
+        return true;
+    }
+
+    /// A single row would be given back after the merge: nothing but longer triangles would be left of it.
+    static bool has_gained(const RowStack& stack) { return stack.rows() > stack.rows_before + 1; }
+
+    /// Per edge of the source: 1 where the pass gave rows on a side. Elsewhere it is not merged.
+    std::vector<char> gaining_edges(std::size_t s, std::size_t p) const {
+        const std::vector<Vertex>& nodes = lines_[s].nodes;
+        std::vector<char> gaining(nodes.size() - 1, 0);
+        if (p >= sources_[s].passes.size() || sources_[s].passes[p].ratio < 2) return gaining;
+        std::vector<std::int32_t> place(static_cast<std::size_t>(mesh_.vertex_slots()), -1);
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+            place[static_cast<std::size_t>(nodes[i].index())] = static_cast<std::int32_t>(i);
+        if (!lines_[s].closed) place[static_cast<std::size_t>(nodes.back().index())] = static_cast<std::int32_t>(gaining.size());
+        const auto of = [&](Vertex v) { return place[static_cast<std::size_t>(v.index())]; };
+        for (const RowStack& stack : stacks_) {
+            if (stack.source != static_cast<std::int32_t>(s) || !has_gained(stack)) continue;
+            const std::vector<Vertex>& base = stack.layers[0];
+            // On the left the nodes run along the source, on the right against it.
+            for (std::size_t i = 0; i + 1 < base.size(); ++i)
+                gaining[static_cast<std::size_t>(of(base[stack.left ? i : i + 1]))] = 1;
+        }
+        return gaining;
+    }
+
+    /// @param merged per vertex, receives 1 for the source's nodes and their neighbours: where a side has no rows, its triangles
+    /// there have become slivers
+    void merge_source(std::size_t s, std::size_t p, std::vector<char>& merged) {
+        const std::vector<char> gaining = gaining_edges(s, p);
+        if (std::find(gaining.begin(), gaining.end(), 1) == gaining.end()) return;
         Line& line = lines_[s];
-        const std::vector<char> kept = segment_ends(s, sources_[s].passes[p].ratio);
+        const std::vector<char> kept = segment_ends(s, sources_[s].passes[p].ratio, gaining);
         std::vector<char> is_kept(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
         for (std::size_t i = 0; i < line.nodes.size(); ++i) is_kept[static_cast<std::size_t>(line.nodes[i].index())] = kept[i];
+        std::vector<RowStack*> thinned_out;
         for (RowStack& stack : stacks_) {
             if (stack.source != static_cast<std::int32_t>(s)) continue;
             std::vector<char> kept_here;
             for (const Vertex v : stack.layers[0]) kept_here.push_back(is_kept[static_cast<std::size_t>(v.index())]);
+            if (std::find(kept_here.begin(), kept_here.end(), 0) == kept_here.end()) continue;
             merge_rows(mesh_, stack, kept_here);
+            thinned_out.push_back(&stack);
         }
         const int failed = merge_source_nodes(mesh_, line.nodes, kept);
         if (failed > 0) result_.warnings.push_back(std::to_string(failed) + " source nodes could not be merged");
-        for (RowStack& stack : stacks_) {
-            if (stack.source == static_cast<std::int32_t>(s) && stack.rows() > 0) give_back_top_row(mesh_, stack);
+        for (RowStack* stack : thinned_out) {
+            if (stack->rows() > 0) give_back_top_row(mesh_, *stack);
+        }
+        // Where a stack was split, its parts share the nodes of their end columns.
+        for (const RowStack& stack : stacks_) {
+            for (const std::vector<Vertex>& layer : stack.layers) {
+                for (const Vertex v : layer) mesh_.info(v).in_row = true;
+            }
         }
         Line thinned;
         thinned.closed = line.closed;
@@ -182,16 +233,16 @@ class MultiPass {
         return lines > 2;
     }
 
-    /// Ends of stacks inside the source (where another line meets it) end segments too, each part with ramps of its own; so do
-    /// such nodes on a side without rows.
-    std::vector<char> segment_ends(std::size_t s, int ratio) const {
+    /// Ends of stacks inside the source (where another line meets it, or a stack was split) end segments too, each part with
+    /// ramps of its own; so do such nodes on a side without rows. All nodes are kept between edges that gained no rows.
+    std::vector<char> segment_ends(std::size_t s, int ratio, const std::vector<char>& gaining) const {
         const Line& line = lines_[s];
         const std::size_t n = line.nodes.size();
         std::vector<char> kept(n, 0);
         kept.front() = kept.back() = 1;
         bool cut = false;
         for (std::size_t i = 0; i < n; ++i) {
-            if (is_junction(line.nodes[i])) {
+            if (is_junction(line.nodes[i]) || (i < gaining.size() && !gaining[i]) || (i > 0 && !gaining[i - 1])) {
                 kept[i] = 1;
                 cut = true;
             }
@@ -208,14 +259,18 @@ class MultiPass {
             std::size_t last = first + 1;
             while (!kept[last]) ++last;
             const int edges = static_cast<int>(last - first);
-            const auto segments = line.closed && !cut ? segment_closed(edges, ratio)
-                                                             : segment_open(edges, ratio, {ramp_start(s, first, last, ratio), ramp_start(s, last, first, ratio)});
+            const auto segments =
+                line.closed && !cut
+                    ? segment_closed(edges, ratio)
+                    : segment_open(edges, ratio, {ramp_start(s, first, last, ratio), ramp_start(s, last, first, ratio)});
             const auto accept = [&](int a, int b) {
                 const std::size_t from = first + static_cast<std::size_t>(a);
                 const std::size_t to = first + static_cast<std::size_t>(b);
                 const double length = (mesh_.position(line.nodes[to]) - mesh_.position(line.nodes[from])).norm();
-                const double allowed = has_sharp(line, from, to) ? std::min(sagitta, kFeatureSagitta * reference_.diagonal()) : sagitta;
-                return deviation(line, from, to) <= allowed && free_ahead(s, line.nodes[from], line.nodes[to], kFreeAhead * length);
+                const double allowed =
+                    has_sharp(line, from, to) ? std::min(sagitta, kFeatureSagitta * reference_.diagonal()) : sagitta;
+                return deviation(line, from, to) <= allowed &&
+                       free_ahead(s, line.nodes[from], line.nodes[to], kFreeAhead * length);
             };
             std::size_t at = first;
             for (const int length : refine_segments(segments, accept)) {
@@ -227,8 +282,8 @@ class MultiPass {
         return kept;
     }
 
-    /// Edges of the first segment of the ramp at one end of a part of the source: as few as make its column wide enough for the rows
-    /// that follow, which get higher and higher.
+    /// Edges of the first segment of the ramp at one end of a part of the source: as few as make its column wide enough for the
+    /// rows that follow, which get higher and higher.
     int ramp_start(std::size_t s, std::size_t end, std::size_t other, int ratio) const {
         const std::vector<Vertex>& nodes = lines_[s].nodes;
         double height = 0.0;

@@ -20,30 +20,32 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 constexpr double kPi = std::numbers::pi;
-constexpr double kAlongLine = 0.85 * kPi;   // sector up to which the end column runs along the line
-constexpr double kFacing = 0.6;             // sine of incidence from which an obstacle lies ahead of a column, not beside it
-constexpr double kAhead = 1.3;              // heights that must be free even of lines beside the row
-constexpr double kSlimmest = 4.0;            // height over width of one column
-constexpr double kSharpTurn = 0.5;           // radians by which the front turns at a corner
-constexpr double kLeastQuality = 0.25;      // scaled Jacobian of a row quad
-constexpr double kLeastTriangle = 0.01;      // quality of the triangles round a node that is put into the row
-constexpr double kEvenOut = 0.15;            // share of a column's displacement along the row that one row takes back
-constexpr double kMostLean = 0.5;           // of a column for that, per height
-constexpr double kOverEnds = 1.25;           // height over that of the end columns, or the rows tilt
-constexpr double kFirstRow = 0.85;          // height of the first row over the local size: rows only get thicker
+constexpr double kAlongLine = 0.85 * kPi;  // sector up to which the end column runs along the line
+constexpr double kFacing = 0.6;            // sine of incidence from which an obstacle lies ahead of a column, not beside it
+constexpr double kAhead = 1.3;             // heights that must be free even of lines beside the row
+constexpr double kSlimmest = 6.0;          // height over width of one column
+constexpr double kSharpTurn = 0.5;         // radians by which the front turns at a corner
+constexpr double kLeastQuality = 0.25;     // scaled Jacobian of a row quad
+constexpr double kLeastTriangle = 0.01;    // quality of the triangles round a node that is put into the row
+constexpr double kEvenOut = 0.15;          // share of a column's displacement along the row that one row takes back
+constexpr double kMostLean = 0.5;          // of a column for that, per height
+constexpr double kOverEnds = 1.25;         // height over that of the end columns, or the rows tilt
+constexpr double kFirstRow = 0.85;         // height of the first row over the local size: rows only get thicker
 constexpr double kLeastGrowthCapped = 1.015;
 constexpr double kLeastGrowth = 1.03;       // rows never get thinner away from the source
-constexpr int kMostEvened = 8;               // times that the triangles round a row are swapped
-constexpr double kEvenDeviation = 1e-3;      // off the surface, over its diagonal, by that
+constexpr int kMostEvened = 8;              // times that the triangles round a row are swapped
+constexpr double kEvenDeviation = 1e-3;     // off the surface, over its diagonal, by that
 constexpr std::int32_t kRowLine = 1 << 30;  // marks the edges of the row while it is built
 
 class RowBuilder {
   public:
-    RowBuilder(SurfaceMesh& mesh, RowStack& stack, const LocalSize& size, const ReferenceSurface& reference, const RowLimits& limits)
+    RowBuilder(SurfaceMesh& mesh, RowStack& stack, const LocalSize& size, const ReferenceSurface& reference,
+               const RowLimits& limits)
         : mesh_(mesh), stack_(stack), size_(size), reference_(reference), limits_(limits), bottom_(stack.top()) {}
 
     bool run() {
         columns_ = bottom_.size() - 1;
+        stack_.misfit.clear();
         if (!collect_front() || !plan_ends()) return false;
         plan_shear();
         if (!plan_heights()) return false;
@@ -65,16 +67,30 @@ class RowBuilder {
         return false;
     }
 
+    bool stop_at_column(std::size_t i, const char* why) {
+        stack_.misfit.resize(columns_, 0);
+        stack_.misfit[i] = 1;
+        return stop(why);
+    }
+
+    /// At a node: the columns on both sides.
+    bool stop_at_node(std::size_t i, const char* why) {
+        if (i > 0 || stack_.closed) stop_at_column(i > 0 ? i - 1 : columns_ - 1, why);
+        if (i < columns_ || stack_.closed) stop_at_column(i < columns_ ? i : 0, why);
+        return false;
+    }
+
     const Point& at(Vertex v) const { return mesh_.position(v); }
 
     bool collect_front() {
         front_.clear();
+        bool is_free = true;
         for (std::size_t i = 0; i < columns_; ++i) {
-            const HalfEdge h = mesh_.find_halfedge(bottom_[i], bottom_[i + 1]);
-            if (!h.is_valid() || !is_front(mesh_, h)) return stop("another row or the boundary lies directly ahead");
-            front_.push_back(h);
+            front_.push_back(mesh_.find_halfedge(bottom_[i], bottom_[i + 1]));
+            if (!front_[i].is_valid() || !is_front(mesh_, front_[i]))
+                is_free = stop_at_column(i, "another row or the boundary lies directly ahead");
         }
-        return true;
+        return is_free;
     }
 
     /// Front edge that ends at node i.
@@ -90,25 +106,32 @@ class RowBuilder {
         top_.assign(columns_ + 1, Vertex());
         angle_.assign(columns_ + 1, 0.0);
         shear_.assign(columns_ + 1, 0.0);
+        bool fits = true;
         for (std::size_t i = 0; i <= columns_; ++i) {
             const HalfEdge in = into(i);
             const double sector = front_angle(mesh_, in);
             angle_[i] = 0.5 * sector;
             if (!is_end(i)) {
-                if (sector < 0.3 * kPi) return stop("the front turns too sharply for one more row");
+                if (sector < 0.3 * kPi) fits = stop_at_node(i, "the front turns too sharply for one more row");
                 continue;
             }
             const HalfEdge line = i == 0 ? in : next_front(mesh_, in);
             if (sector < kAlongLine) {
                 top_[i] = i == 0 ? mesh_.from(line) : mesh_.to(line);
-                if (std::find(bottom_.begin(), bottom_.end(), top_[i]) != bottom_.end()) return stop("the line at the row's end turns back to it");
-                if (mesh_.info(top_[i]).kind == NodeKind::corner) return stop("the end column reaches a corner of the feature lines");
+                if (std::find(bottom_.begin(), bottom_.end(), top_[i]) != bottom_.end()) {
+                    fits = stop_at_node(i, "the line at the row's end turns back to it");
+                    continue;
+                }
+                if (mesh_.info(top_[i]).kind == NodeKind::corner) {
+                    fits = stop_at_node(i, "the end column reaches a corner of the feature lines");
+                    continue;
+                }
                 shear_[i] = (i == 0 ? 1.0 : -1.0) / std::tan(std::clamp(sector, 0.15 * kPi, 0.85 * kPi));
             } else {
                 angle_[i] = i == 0 ? std::max(0.5 * sector, sector - 0.5 * kPi) : std::min(0.5 * sector, 0.5 * kPi);
             }
         }
-        return true;
+        return fits;
     }
 
     /// Columns over which a value that an end forces on the row fades.
@@ -121,7 +144,8 @@ class RowBuilder {
         if (stack_.closed) {
             std::vector<double> next(value.size());
             for (int sweep = 0; sweep < 8; ++sweep) {
-                for (std::size_t i = 0; i <= n; ++i) next[i] = 0.5 * value[i] + 0.25 * (value[i > 0 ? i - 1 : n - 1] + value[i < n ? i + 1 : 1]);
+                for (std::size_t i = 0; i <= n; ++i)
+                    next[i] = 0.5 * value[i] + 0.25 * (value[i > 0 ? i - 1 : n - 1] + value[i < n ? i + 1 : 1]);
                 value.swap(next);
             }
             return;
@@ -147,8 +171,8 @@ class RowBuilder {
         return at_node;
     }
 
-    /// Lean per column end that leads the columns back to the share of the row's length that they have on the source, so that those
-    /// squeezed at one end give way all along the row.
+    /// Lean per column end that leads the columns back to the share of the row's length that they have on the source, so that
+    /// those squeezed at one end give way all along the row.
     std::vector<double> lean_to_even_columns() const {
         std::vector<double> lean(columns_ + 1, 0.0);
         if (stack_.closed || stack_.rows() == 0) return lean;
@@ -195,28 +219,32 @@ class RowBuilder {
         for (std::size_t i = 0; i <= columns_; ++i) {
             // The size where the row's middle will be, not where it starts.
             const double before = stack_.height(mesh_, i);
-            const TraceEnd ahead = trace_geodesic(mesh_, into(i), angle_[i], before > 0.0 ? before : 1e-3 * mesh_.length(into(i)));
+            const TraceEnd ahead =
+                trace_geodesic(mesh_, into(i), angle_[i], before > 0.0 ? before : 1e-3 * mesh_.length(into(i)));
             const double local = size_(ahead.position, hint);
             const double share = before > 0.0 ? 1.0 : kFirstRow;
             // Options.row_growth may ask for less growth than the rows like.
             low[i] = before > 0.0 ? before * std::min(before > cap ? kLeastGrowthCapped : kLeastGrowth, limits_.growth) : 0.0;
             high[i] = before > 0.0 ? before * limits_.growth : 1e300;
-            const double width = 0.5 * (mesh_.length(front_[i > 0 ? i - 1 : 0]) + mesh_.length(front_[i < columns_ ? i : columns_ - 1]));
+            const double width =
+                0.5 * (mesh_.length(front_[i > 0 ? i - 1 : 0]) + mesh_.length(front_[i < columns_ ? i : columns_ - 1]));
             const double least = limits_.height_of_width * width;
-            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i]) : std::clamp(share * std::min(std::max(local, least), cap), low[i], high[i]);
+            height_[i] = top_[i].is_valid() ? (at(top_[i]) - at(bottom_[i])).norm() / std::hypot(1.0, shear_[i])
+                                            : std::clamp(share * std::min(std::max(local, least), cap), low[i], high[i]);
         }
         // A column on a line has the height that the line's nodes give; the others lead over to it slowly, or the rows tilt.
         const std::vector<double> local = height_;
         spread(height_, local, reach());
         std::size_t slim = 0;
+        bool fits = true;
         for (std::size_t i = 0; i < columns_; ++i) {
             const double width = mesh_.length(front_[i]);
             const double height = 0.5 * (height_[i] + height_[i + 1]);
-            if (height > kSlimmest * width) return stop("a column has become too slim");
+            if (height > kSlimmest * width) fits = stop_at_column(i, "a column has become too slim");
             slim += height > limits_.longest_height * width;
         }
-        if (4 * slim > columns_) return stop("the triangles ahead are too large for the length of the front's edges");
-        return true;
+        if (!fits || 4 * slim <= columns_) return fits;
+        return stop("the triangles ahead are too large for the length of the front's edges");
     }
 
     /// Neighbouring columns run alike: their displacements are averaged over a few columns, or the bisectors of a slightly uneven
@@ -254,22 +282,25 @@ class RowBuilder {
     double depth(std::size_t i) const {
         if (stack_.rows() == 0) return 0.0;
         double sum = 0.0;
-        for (std::size_t j = 1; j < stack_.layers.size(); ++j) sum += (at(stack_.layers[j][i]) - at(stack_.layers[j - 1][i])).norm();
+        for (std::size_t j = 1; j < stack_.layers.size(); ++j)
+            sum += (at(stack_.layers[j][i]) - at(stack_.layers[j - 1][i])).norm();
         return sum;
     }
 
     /// Enough free surface ahead of every column.
     bool check_way() {
+        bool is_free = true;
         for (std::size_t i = 0; i <= columns_; ++i) {
             if (top_[i].is_valid()) continue;
             const double share = limits_.free_share / (1.0 - limits_.free_share);
             const double needed = std::max(way(i) * limits_.clearance, share * (depth(i) + way(i)) + way(i));
             const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], needed);
-            // A line that the column meets at a flat angle runs beside the row, as those at its ends do: only the row itself counts.
+            // A line that the column meets at a flat angle runs beside the row, as those at its ends do: only the row itself
+            // counts.
             const bool ahead = end.incidence > kFacing || end.length < kAhead * way(i);
-            if (end.blocked && ahead) return stop("a boundary, a feature line or another row is too close ahead");
+            if (end.blocked && ahead) is_free = stop_at_node(i, "a boundary, a feature line or another row is too close ahead");
         }
-        return true;
+        return is_free;
     }
 
     /// Way along the column for the wanted height across the row.
@@ -287,7 +318,7 @@ class RowBuilder {
                 continue;
             }
             const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i));
-            if (end.blocked) return stop("a boundary, a feature line or another row is too close ahead");
+            if (end.blocked) return stop_at_node(i, "a boundary, a feature line or another row is too close ahead");
             top_[i] = put_node(end, 0.3 * std::min(way(i), mesh_.length(into(i))));
             mesh_.info(top_[i]).in_row = true;  // from here on nothing else moves it
             placed_.push_back(top_[i]);
@@ -295,14 +326,17 @@ class RowBuilder {
             const Point kept = at(top_[i]);
             const double before = worst_quality(mesh_, top_[i], node_normal(mesh_, top_[i]));
             mesh_.position(top_[i]) = reference_.project(kept, mesh_.info(end.face).patch, hint);
-            if (worst_quality(mesh_, top_[i], node_normal(mesh_, top_[i])) < std::min(1e-3, before)) mesh_.position(top_[i]) = kept;
+            if (worst_quality(mesh_, top_[i], node_normal(mesh_, top_[i])) < std::min(1e-3, before))
+                mesh_.position(top_[i]) = kept;
         }
+        bool fits = true;
         for (std::size_t i = 0; i < columns_; ++i) {
-            const Vector3d normal = sector_normal(mesh_, into(i)) + sector_normal(mesh_, into(i + 1 < columns_ || !stack_.closed ? i + 1 : 0));
+            const Vector3d normal =
+                sector_normal(mesh_, into(i)) + sector_normal(mesh_, into(i + 1 < columns_ || !stack_.closed ? i + 1 : 0));
             const double q = scaled_jacobian(at(bottom_[i]), at(bottom_[i + 1]), at(top_[i + 1]), at(top_[i]), normal);
-            if (q < kLeastQuality) return stop("a quad of the row would be too distorted");
+            if (q < kLeastQuality) fits = stop_at_column(i, "a quad of the row would be too distorted");
         }
-        return true;
+        return fits;
     }
 
     /// A node at the end of the trace: a free triangle node close by is moved there, else the triangle or its edge is split.
@@ -371,8 +405,8 @@ class RowBuilder {
         return true;
     }
 
-    /// Nodes that were put into long triangles leave slivers, between which no edge can be swapped: Delaunay's triangles round the
-    /// row are better.
+    /// Nodes that were put into long triangles leave slivers, between which no edge can be swapped: Delaunay's triangles round
+    /// the row are better.
     void even_out() {
         std::vector<char> zone(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
         for (const auto& layer : {bottom_, top_}) {
@@ -386,10 +420,12 @@ class RowBuilder {
 
     bool recover_edges() {
         for (std::size_t i = 0; i <= columns_; ++i) {
-            if (!recover(bottom_[i], top_[i])) return stop("the triangles ahead could not be swapped into the row (column)");
+            if (!recover(bottom_[i], top_[i]))
+                return stop_at_node(i, "the triangles ahead could not be swapped into the row (column)");
         }
         for (std::size_t i = 0; i < columns_; ++i) {
-            if (!recover(top_[i + 1], top_[i])) return stop("the triangles ahead could not be swapped into the row (top)");
+            if (!recover(top_[i + 1], top_[i]))
+                return stop_at_column(i, "the triangles ahead could not be swapped into the row (top)");
         }
         return true;
     }
@@ -402,7 +438,7 @@ class RowBuilder {
     bool form_quads() {
         std::vector<Face> faces;
         for (std::size_t i = 0; i < columns_; ++i) {
-            if (!collect_region(mesh_, loop_of(i), faces)) return stop("something lies inside the row");
+            if (!collect_region(mesh_, loop_of(i), faces)) return stop_at_column(i, "something lies inside the row");
         }
         const auto row = static_cast<std::int32_t>(stack_.rows()) + 1;
         for (std::size_t i = 0; i < columns_; ++i) {
@@ -439,7 +475,8 @@ class RowBuilder {
 
 }  // namespace
 
-bool build_row(SurfaceMesh& mesh, RowStack& stack, const LocalSize& size, const ReferenceSurface& reference, const RowLimits& limits) {
+bool build_row(SurfaceMesh& mesh, RowStack& stack, const LocalSize& size, const ReferenceSurface& reference,
+               const RowLimits& limits) {
     return RowBuilder(mesh, stack, size, reference, limits).run();
 }
 

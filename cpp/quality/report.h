@@ -18,7 +18,7 @@ struct Distribution {
     std::int32_t worst = -1;  ///< id of the worst quad
 };
 
-/// What one pass of one source did on one side (paper 3.2, 3.3).
+/// What one pass did on one side of a source (paper 3.2, 3.3), or on a part of the side where single columns were in the way.
 struct PassReport {
     std::int32_t source = 0;   ///< index of the source
     std::int32_t pass = 0;     ///< 1-based

@@ -712,8 +712,8 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
  <context>
   <name>Report</name>
   <message>
-   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}</source>
-   <translation>Quelle {source}, {side}, Durchgang {pass_} (1:{ratio}): {rows} Reihen; {why}</translation>
+   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows of {columns} columns; {why}</source>
+   <translation>Quelle {source}, {side}, Durchgang {pass_} (1:{ratio}): {rows} Reihen zu {columns} Spalten; {why}</translation>
   </message>
   <message>
    <source>a boundary, a feature line or another row is too close ahead</source>

@@ -712,8 +712,8 @@ con las fuentes que se le añadieron antes</translation>
  <context>
   <name>Report</name>
   <message>
-   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}</source>
-   <translation>Fuente {source}, {side}, pasada {pass_} (1:{ratio}): {rows} filas; {why}</translation>
+   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows of {columns} columns; {why}</source>
+   <translation>Fuente {source}, {side}, pasada {pass_} (1:{ratio}): {rows} filas de {columns} columnas; {why}</translation>
   </message>
   <message>
    <source>a boundary, a feature line or another row is too close ahead</source>

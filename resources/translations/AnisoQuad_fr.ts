@@ -712,8 +712,8 @@ avec les sources ajoutées auparavant</translation>
  <context>
   <name>Report</name>
   <message>
-   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}</source>
-   <translation>Source {source}, {side}, passe {pass_} (1:{ratio}) : {rows} rangées ; {why}</translation>
+   <source>Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows of {columns} columns; {why}</source>
+   <translation>Source {source}, {side}, passe {pass_} (1:{ratio}) : {rows} rangées de {columns} colonnes ; {why}</translation>
   </message>
   <message>
    <source>a boundary, a feature line or another row is too close ahead</source>

@@ -39,10 +39,10 @@ def show_report(obj, report):
         for key in path:
             value = value[key]
         setattr(obj, name, value)
-    text = QT_TRANSLATE_NOOP("Report", "Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows; {why}")
+    text = QT_TRANSLATE_NOOP("Report", "Source {source}, {side}, pass {pass_} (1:{ratio}): {rows} rows of {columns} columns; {why}")
     obj.RowsPerPass = [
         _in_words("Report", text).format(source=entry["source"] + 1, side=_in_words("SourcePanel", entry["side"]), pass_=entry["pass"],
-                                         ratio=entry["ratio"], rows=entry["rows"], why=shown(entry["stopped"], _in_words))
+                                         ratio=entry["ratio"], rows=entry["rows"], columns=entry["columns"], why=shown(entry["stopped"], _in_words))
         for entry in report["passes"]
     ]
     obj.Warnings = [shown(warning, _in_words) for warning in report["warnings"]]

@@ -25,6 +25,11 @@ def figures_text(obj):
     return "\n".join(lines)
 
 
+def _of_parts(counts):
+    """The rows of the parts of a side: 13, 2/0/4, or 0–7 where there are many parts."""
+    return "/".join(map(str, counts)) if len(counts) < 4 else f"{min(counts)}–{max(counts)}"
+
+
 def _rows(passes):
     """One line a source and pass, with the rows of both sides; where a side has none at all, another one says why."""
     rows, why = {}, {}
@@ -33,7 +38,7 @@ def _rows(passes):
         rows.setdefault(key, {}).setdefault(entry["side"], []).append(entry["rows"])
         why.setdefault((entry["source"] + 1, entry["side"]), []).append((entry["rows"], entry["stopped"]))
     for (source, pass_, ratio), sides in rows.items():
-        counts = ", ".join(f"{'/'.join(map(str, counts))} {translate('SourcePanel', side)}" for side, counts in sides.items())
+        counts = ", ".join(f"{_of_parts(counts)} {translate('SourcePanel', side)}" for side, counts in sides.items())
         yield translate("QuadMeshPanel", "Source {source}, pass {pass_} (1:{ratio}): rows {counts}").format(
             source=source, pass_=pass_, ratio=ratio, counts=counts)
     for (source, side), entries in why.items():

@@ -283,6 +283,32 @@ TEST(MultiPass, WhereNoRowFitsNothingIsMerged) {
     }
 }
 
+/// A hole one cell beside a source along the middle, over the columns 44 to 52 of 96.
+shapes::Shape plane_with_hole() {
+    return shapes::grid_with_holes(96, 48, [](int i, int j) { return i < 44 || i >= 52 || j < 25 || j >= 27; });
+}
+
+TEST(MultiPass, RowsGoOnBesideWhatIsInTheWayOfAFewColumns) {
+    Built p(plane_with_hole(), {source(path(24 * 97, 24 * 97 + 96, 1), {{4, 0}})});
+    expect_rows(p);
+    EXPECT_EQ(column(p.mesh, base_at(p.mesh, Point(48, 24, 0), true)).size(), 0u);
+    for (const double x : {20.0, 76.0}) {
+        const HalfEdge base = base_at(p.mesh, Point(x, 24, 0), true);
+        EXPECT_GE(column(p.mesh, base).size(), 3u);
+        EXPECT_NEAR(p.mesh.length(base), 4.0, 1e-9);
+    }
+    ASSERT_EQ(p.result.passes.size(), 4u);  // three parts on the left, the whole right
+    EXPECT_EQ(p.result.passes[1].rows, 0);
+    EXPECT_EQ(p.result.passes[1].stopped, "a boundary, a feature line or another row is too close ahead");
+}
+
+TEST(MultiPass, WhereNoSideGainedRowsTheSourceIsNotMerged) {
+    Built p(plane_with_hole(), {source(path(24 * 97, 24 * 97 + 96, 1), {{4, 0}, {2, 0}}, Sides::left)});
+    expect_rows(p);
+    for (const double x : {46.5, 48.5, 50.5}) EXPECT_NEAR(p.mesh.length(base_at(p.mesh, Point(x, 24, 0), true)), 1.0, 1e-9);
+    EXPECT_NEAR(p.mesh.length(base_at(p.mesh, Point(20, 24, 0), true)), 8.0, 1e-9);
+}
+
 TEST(MultiPass, TheSameInputGivesTheSameMesh) {
     const shapes::Shape shape = shapes::sphere(48, 32);
     const std::vector<Source> lines{source(path(15 * 48 + 2, 15 * 48 + 30, 1), {{3, 0}, {2, 0}})};
