@@ -12,18 +12,19 @@
 #include "smoothing/flat_star.h"
 #include "smoothing/line_smoothing.h"
 #include "smoothing/move_node.h"
+#include "smoothing/newton_step.h"
 #include "smoothing/optimisation.h"
-#include "smoothing/pattern_search.h"
 #include "smoothing/row_smoothing.h"
 #include "smoothing/star.h"
 
 namespace anisoquad {
 namespace {
 
-constexpr double kFirstStep = 0.1;  ///< of the search for a node's place, over the mean edge length
-constexpr double kSmallestStep = 0.01;
-constexpr double kStepOfMove = 2.0;      ///< first step of the next search over the way that the last one led
-constexpr double kLeastFirstStep = 0.02;
+constexpr double kMostStep = 0.2;  ///< of a node, over the mean edge length
+constexpr double kLeastStep = 1e-3;
+constexpr double kSpan = 0.02;  ///< of differences of the score, over the mean edge length
+constexpr double kRelaxation =
+    1.6;  ///< successive over-relaxation: half the sweeps, and waves longer than a few edges smooth out at all
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
@@ -68,7 +69,6 @@ class FinalSmoother {
           reference_(reference),
           lines_(lines),
           hint_(static_cast<std::size_t>(mesh.vertex_slots()), -1),
-          first_step_(static_cast<std::size_t>(mesh.vertex_slots()), static_cast<float>(kFirstStep)),
           awake_(static_cast<std::size_t>(mesh.vertex_slots()), 0) {
         put_in_blocks();
     }
@@ -83,7 +83,8 @@ class FinalSmoother {
             return moves;
         };
         const auto visit_block = [&](std::int32_t first, std::int32_t last) {
-            return visit_nodes(std::span(inner_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
+            return visit_nodes(
+                std::span(inner_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
         };
         const int moves = reduce_blocks(static_cast<std::int32_t>(inner_.size()), 0, visit_block, std::plus<>());
         return moves + visit_nodes(between_);
@@ -159,25 +160,26 @@ class FinalSmoother {
         return optimise_node(mesh_, v, &reference_, &hint_[index(v)]) || moved;
     }
 
-    /// Moves the node to where its star scores best. A direct search gives a higher mean scaled Jacobian than any of the
-    /// classical targets (0.942 on the swept wing; angle 0.927, Laplacian 0.923, isoparametric 0.891, best of them 0.933).
+    /// Moves the node towards where its star scores best, see Star::Quality::score(). With the mean sine of all corners the mean
+    /// scaled Jacobian of a plane becomes 0.998, its 5th percentile 0.993; with the mean of the quads' least sines, whose kinks
+    /// hold the nodes, 0.994 and 0.968.
     bool relax(Vertex v, const Star& star, const Star::Quality& before) {
+        const double most = kMostStep * star.edge_length();
         if (star.is_flat() && star.has_quads_only()) {
             const FlatStar flat(star);
-            return relax(v, star, before, [&](const Eigen::Vector2d& x) { return flat.score(x); }, [&](const Eigen::Vector2d& x) { return flat.at(x); });
+            const FlatStar::Derivatives d = flat.derivatives();
+            return step(v, star, before, newton_step(d.gradient, d.hessian, kRelaxation, most), flat);
         }
         const Chart chart(mesh_, v, star);
-        return relax(v, star, before, [&](const Eigen::Vector2d& x) { return star.quality(chart(x)).score(); }, chart);
+        const auto score = [&](const Eigen::Vector2d& x) { return star.quality(chart(x)).score(); };
+        return step(v, star, before, newton_search(score, kSpan * star.edge_length(), kRelaxation, most), chart);
     }
 
-    template <class Score, class Place>
-    bool relax(Vertex v, const Star& star, const Star::Quality& before, const Score& score, const Place& place) {
-        float& first_step = first_step_[index(v)];
-        Eigen::Vector2d x = Eigen::Vector2d::Zero();
-        pattern_search(score, x, static_cast<double>(first_step) * star.edge_length(), kSmallestStep * star.edge_length());
-        first_step = static_cast<float>(std::clamp(kStepOfMove * x.norm() / star.edge_length(), kLeastFirstStep, kFirstStep));
+    /// Makes the step, or as much of it as raises the score and leaves no poor element poorer.
+    template <class Place>
+    bool step(Vertex v, const Star& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place) {
         std::int32_t facet = hint_[index(v)];
-        for (int i = 0; i < 3 && !x.isZero(0.0); ++i, x *= 0.5) {
+        for (int i = 0; i < 3 && x.norm() > kLeastStep * star.edge_length(); ++i, x *= 0.5) {
             const Point p = reference_.project(place(x), star.patch(), facet);
             const Star::Quality after = star.quality(p);
             if (!(after.score() > before.score() + kLeastScoreGain)) continue;
@@ -202,10 +204,9 @@ class FinalSmoother {
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;
     const ReferenceLines& lines_;
-    std::vector<Vertex> inner_;    ///< nodes whose star lies in their block, by blocks
-    std::vector<Vertex> between_;  ///< all others
+    std::vector<Vertex> inner_;        ///< nodes whose star lies in their block, by blocks
+    std::vector<Vertex> between_;      ///< all others
     std::vector<std::int32_t> hint_;   ///< facet of the reference surface near each node
-    std::vector<float> first_step_;    ///< of each node's next search, over the mean edge length
     std::vector<std::int32_t> awake_;  ///< last sweep in which something near the node moved
 };
 
@@ -222,8 +223,8 @@ void release_nodes_without_rows(SurfaceMesh& mesh) {
 
 }  // namespace
 
-FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options,
-                                 Context& context, const ReferenceLines& lines) {
+FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options, Context& context,
+                                 const ReferenceLines& lines) {
     FinalSmoothingResult result;
     Statistics last = statistics(mesh);
     result.min_before = last.min;

@@ -7,17 +7,20 @@
 
 namespace anisoquad {
 
-/// A star that hardly turns, drawn in its tangent plane: what a search for the node's place evaluates, at a fraction of the cost. What
-/// does not depend on the node's place is computed once.
+/// A star that hardly turns, drawn in its tangent plane, where the derivatives of what a place of the node is worth are cheap.
 class FlatStar {
   public:
-    /// @pre star.is_flat() and star.has_quads_only()
+    /// @pre star.has_quads_only(); the flatter the star, the better its steps
     explicit FlatStar(const Star& star);
 
-    /// Star::Quality::score() with the node at x, in the plane's coordinates: the node's old place is (0,0).
-    double score(const Eigen::Vector2d& x) const;
-    /// Point in space. @param x in the plane's coordinates
-    Point at(const Eigen::Vector2d& x) const { return centre_ + x.x() * first_ + x.y() * second_; }
+    /// Derivatives of the corners' mean sine less the stretch (Star::Quality) by the node's place, at its old place.
+    struct Derivatives {
+        Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+        Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+    };
+    Derivatives derivatives() const;
+    /// Point in space. @param x in the plane's coordinates: the node's old place is (0,0)
+    Point operator()(const Eigen::Vector2d& x) const { return centre_ + x.x() * first_ + x.y() * second_; }
 
   private:
     struct Wedge {
@@ -25,8 +28,7 @@ class FlatStar {
         Eigen::Vector2d previous;
         Eigen::Vector2d after_next;       ///< unit, from the next node to the opposite one
         Eigen::Vector2d before_previous;  ///< unit, from the opposite node to the previous one
-        double opposite_sine;
-        double shortest2;  ///< of the two edges that stay as they are
+        double shortest2;                 ///< of the two edges that stay as they are
         double longest2;
     };
     std::array<Wedge, Star::kCapacity> wedges_;

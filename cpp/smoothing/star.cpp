@@ -142,14 +142,14 @@ Vector3d Star::area_vector(const Wedge& w) const {
                   : (w.next - centre_).cross(w.previous - centre_).eval();
 }
 
-double Star::quality(const Wedge& wedge, const Point& p, double& ratio) const {
+double Star::quality(const Wedge& wedge, const Point& p, double& ratio, double& sines) const {
     const Vector3d first = wedge.next - p;
     const Vector3d last = p - wedge.previous;
     if (!wedge.quad) {
         const Vector3d area = first.cross(wedge.previous - p);
         const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
         const double shape = 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum;
-        return area.dot(wedge.up) > upright_ * area.norm() ? std::min(1.0, shape) : -std::min(1.0, shape);
+        return sines = area.dot(wedge.up) > upright_ * area.norm() ? std::min(1.0, shape) : -std::min(1.0, shape);
     }
     const double first_length = first.norm();
     const double last_length = last.norm();
@@ -161,27 +161,32 @@ double Star::quality(const Wedge& wedge, const Point& p, double& ratio) const {
     // A quad that is turned over is good by its own normal; seen along the surface's it is not.
     const bool upright = axes.dot(wedge.up) > upright_ * length;
     const Vector3d up = upright ? Vector3d(axes / length) : wedge.up;
-    const double worst = std::min({up.dot(last.cross(first)) / (last_length * first_length),
-                                   up.dot(first.cross(wedge.after_next)) / (first_length * wedge.after_next_length),
-                                   up.dot(wedge.opposite_area) / (wedge.after_next_length * wedge.before_previous_length),
-                                   up.dot(wedge.before_previous.cross(last)) / (wedge.before_previous_length * last_length)});
+    const double at_centre = up.dot(last.cross(first)) / (last_length * first_length);
+    const double at_next = up.dot(first.cross(wedge.after_next)) / (first_length * wedge.after_next_length);
+    const double at_opposite = up.dot(wedge.opposite_area) / (wedge.after_next_length * wedge.before_previous_length);
+    const double at_previous = up.dot(wedge.before_previous.cross(last)) / (wedge.before_previous_length * last_length);
+    const double worst = std::min({at_centre, at_next, at_opposite, at_previous});
+    sines = 0.25 * (at_centre + at_next + at_opposite + at_previous);
     return upright ? worst : std::min(worst, 0.0);
 }
 
 Star::Quality Star::quality(const Point& p) const {
-    Quality result{1.0, 0.0, 0.0, 0.0, 1.0};
+    Quality result{1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
     for (int i = 0; i < size_; ++i) {
         double ratio = 1.0;
-        const double q = quality(wedges_[static_cast<std::size_t>(i)], p, ratio);
+        double sines = -1.0;
+        const double q = quality(wedges_[static_cast<std::size_t>(i)], p, ratio, sines);
         const double lack = std::max(0.0, kPoor - q);
         result.worst = std::min(result.worst, q);
         result.mean += q;
+        result.sines += sines;
         result.lack += lack * lack;
         const double stretch = 2.0 * (ratio - 1.0) / (ratio + 1.0);
         result.stretch += stretch * stretch;
         result.ratio = std::max(result.ratio, ratio);
     }
     result.mean /= size_;
+    result.sines /= size_;
     result.lack /= size_;
     result.stretch /= size_;
     return result;

@@ -36,8 +36,8 @@ class Star {
 
     /// Side from which the faces are seen: normal() unless set.
     void see_along(const Eigen::Vector3d& normal);
-    /// Where the surface turns strongly round the node, one normal can't tell which faces are turned over: every face is then seen
-    /// along the reference surface's normal at its middle. Elsewhere nothing changes.
+    /// Where the surface turns strongly round the node, one normal can't tell which faces are turned over: every face is then
+    /// seen along the reference surface's normal at its middle. Elsewhere nothing changes.
     /// @param hint facet near the node, from which closest points are looked for here and in stays_near(); −1 = none
     void see_along_surface(const ReferenceSurface& reference, std::int32_t hint = -1);
     /// True where the surface hardly turns round the node: its tangent plane will do for a step.
@@ -57,17 +57,19 @@ class Star {
     struct Quality {
         double worst = 1.0;  ///< of the faces' qualities (measures: see worst_quality())
         double mean = 1.0;
+        double sines = 1.0;    ///< mean of the sines of all corners of the quads
         double lack = 0.0;     ///< mean square of what the faces lack of kPoor
         double stretch = 0.0;  ///< mean square of 2 (r − 1) / (r + 1) ≈ ln r of the quads, r = longest over shortest edge
         double ratio = 1.0;    ///< largest of longest over shortest edge of the quads
 
-        /// What a place of the node is worth in the final smoothing: mean quality, less what poor elements lack, less a
+        /// What a place of the node is worth in the final smoothing: the corners' mean sine, less what poor elements lack, less a
         /// little for stretched ones, since the scaled Jacobian alone lets an edge shrink to nothing.
-        double score() const { return mean - lack - kStretchWeight * stretch; }
+        double score() const { return sines - lack - kStretchWeight * stretch; }
     };
     /// Quality of the faces with the node at p.
     Quality quality(const Point& p) const;
-    /// Quads with a corner that is turned against the quad's own normal, with the node at p: not convex, whatever the side seen from.
+    /// Quads with a corner that is turned against the quad's own normal, with the node at p: not convex, whatever the side seen
+    /// from.
     int crossed(const Point& p) const;
     /// How much the star is folded: sum over the corners next to the node of the squares of what their signed area lacks of a
     /// tenth of the squared mean edge length. 0 = not at all. Convex in a plane, since those areas are linear in p: its
@@ -94,7 +96,7 @@ class Star {
     double distance(const ReferenceSurface& reference, const Point& p) const;
     void find_fold();
     /// @param ratio receives longest over shortest edge of a quad, 1 for a triangle
-    double quality(const Wedge& wedge, const Point& p, double& ratio) const;
+    double quality(const Wedge& wedge, const Point& p, double& ratio, double& sines) const;
 
     std::array<Wedge, kCapacity> wedges_;
     int size_ = 0;
@@ -106,7 +108,7 @@ class Star {
     double upright_ = 0.0;    ///< least cosine between a face and the side that it is seen from
     bool is_on_fold_ = false;
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
-    double least_cosine_ = 1.0;  ///< between a face and normal()
+    double least_cosine_ = 1.0;                            ///< between a face and normal()
     bool has_quads_only_ = false;
 };
 

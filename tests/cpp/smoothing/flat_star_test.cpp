@@ -9,23 +9,48 @@
 namespace anisoquad {
 namespace {
 
-TEST(FlatStar, ScoresAsTheStarInSpaceDoes) {
-    const quad_grid::Grid grid =
-        quad_grid::make(4, 4, [](double x, double y) { return Point(x + 0.1 * std::sin(5.0 * y), y + 0.1 * x * x, 0.3 * (x + 0.1 * std::sin(5.0 * y)) + 0.2 * (y + 0.1 * x * x)); });
-    const SurfaceMesh mesh = grid.mesh();
-    const Vertex v = grid.vertex(2, 2);
-    Star star;
-    ASSERT_TRUE(star.gather(mesh, v));
-    ASSERT_TRUE(star.is_flat());
-    ASSERT_TRUE(star.has_quads_only());
-    const FlatStar flat(star);
-    EXPECT_LT((flat.at(Eigen::Vector2d::Zero()) - mesh.position(v)).norm(), 1e-15);
-    for (int i = -3; i <= 3; ++i) {
-        for (int j = -3; j <= 3; ++j) {
-            const Eigen::Vector2d x = 0.15 * star.edge_length() * Eigen::Vector2d(i, j);
-            EXPECT_NEAR(flat.score(x), star.quality(flat.at(x)).score(), 1e-12);
-        }
+/// What the derivatives are of, by the star in space.
+double worth(const Star& star, const Point& p) {
+    const Star::Quality q = star.quality(p);
+    return q.sines - Star::kStretchWeight * q.stretch;
+}
+
+TEST(FlatStar, DerivativesAreThoseOfTheStarInSpace) {
+    for (const double stretch : {1.0, 3.0}) {
+        const quad_grid::Grid grid = quad_grid::make(4, 4, [&](double x, double y) {
+            const double u = x + 0.07 * std::sin(7.0 * x + 3.0 * y);  // no two edges alike: the longest has no rival
+            const double v = stretch * (y + 0.05 * std::cos(4.0 * x * x + 9.0 * y));
+            return Point(u, v, 0.3 * u + 0.2 * v);
+        });
+        const SurfaceMesh mesh = grid.mesh();
+        const Vertex v = grid.vertex(2, 2);
+        Star star;
+        ASSERT_TRUE(star.gather(mesh, v));
+        ASSERT_TRUE(star.is_flat());
+        ASSERT_TRUE(star.has_quads_only());
+        const FlatStar flat(star);
+        EXPECT_LT((flat(Eigen::Vector2d::Zero()) - mesh.position(v)).norm(), 1e-15);
+        const FlatStar::Derivatives d = flat.derivatives();
+        const double h = 1e-4 * star.edge_length();
+        const auto at = [&](double x, double y) { return worth(star, flat(Eigen::Vector2d(x * h, y * h))); };
+        const double size = d.hessian.norm();
+        EXPECT_NEAR(d.gradient.x(), (at(1, 0) - at(-1, 0)) / (2.0 * h), 1e-6 * size);
+        EXPECT_NEAR(d.gradient.y(), (at(0, 1) - at(0, -1)) / (2.0 * h), 1e-6 * size);
+        EXPECT_NEAR(d.hessian(0, 0), (at(1, 0) + at(-1, 0) - 2.0 * at(0, 0)) / (h * h), 1e-4 * size);
+        EXPECT_NEAR(d.hessian(1, 1), (at(0, 1) + at(0, -1) - 2.0 * at(0, 0)) / (h * h), 1e-4 * size);
+        EXPECT_NEAR(d.hessian(0, 1), (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4.0 * h * h), 1e-4 * size);
+        EXPECT_NEAR(d.hessian(0, 1), d.hessian(1, 0), 1e-12 * size);
     }
+}
+
+TEST(FlatStar, AGridIsAtRest) {
+    const quad_grid::Grid grid = quad_grid::make(4, 4, [](double x, double y) { return Point(x, y, 0.0); });
+    Star star;
+    ASSERT_TRUE(star.gather(grid.mesh(), grid.vertex(2, 2)));
+    const FlatStar::Derivatives d = FlatStar(star).derivatives();
+    EXPECT_LT(d.gradient.norm(), 1e-12);
+    EXPECT_LT(d.hessian(0, 0), 0.0);
+    EXPECT_GT(d.hessian.determinant(), 0.0);
 }
 
 }  // namespace
