@@ -20,18 +20,17 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kLongestHeight = 1.6;   // of a row over the width of its columns, see RowLimits
-constexpr double kLaterHeight = 0.5;     // wanted height of later passes' rows over the length of their front edges
-constexpr double kFreeShare = 0.3;       // of the way to the next obstacle that the last pass leaves free
-constexpr double kFreeShareLater = 0.1;  // more for each later pass
-constexpr double kReserve = 3.0;         // heights that are left to each later pass
-constexpr double kFreeAhead = 1.0;       // free way ahead of the rows over the length of a merged edge
-constexpr double kColumnAtEnd = 1.0;     // least width of the merged end columns over the height of the uppermost row
-constexpr double kEvenDeviation = 1e-3;  // off the surface, over its diagonal, by swaps where a side has no rows
-constexpr std::size_t kFewRows =
-    3;                             ///< of a pass (one is given back): only before them a stack is split where columns do not fit
-constexpr int kLeastSegments = 4;  // merged edges that a part of a split stack has room for
-constexpr double kSagitta = 0.25;  // of a merged edge over the height of the first row
+constexpr double kLongestHeight = 1.6;    // of a row over the width of its columns, see RowLimits
+constexpr double kLaterHeight = 0.5;      // wanted height of later passes' rows over the length of their front edges
+constexpr double kFreeShare = 0.3;        // of the way to the next obstacle that the last pass leaves free
+constexpr double kFreeShareLater = 0.1;   // more for each later pass
+constexpr double kReserve = 3.0;          // heights that are left to each later pass
+constexpr double kFreeAhead = 1.0;        // free way ahead of the rows over the length of a merged edge
+constexpr double kColumnAtEnd = 1.0;      // least width of the merged end columns over the height of the uppermost row
+constexpr double kEvenDeviation = 1e-3;   // off the surface, over its diagonal, by swaps where a side has no rows
+constexpr std::size_t kFewRows = 3;       // of a pass (one is given back), before which a stack is split where columns do not fit
+constexpr int kLeastSegments = 4;         // merged edges that a part of a split stack has room for
+constexpr double kSagitta = 0.25;         // of a merged edge over the height of the first row
 constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
 
 /// A source with its nodes of the moment.
@@ -147,7 +146,8 @@ class MultiPass {
         return limits;
     }
 
-    /// Puts parts into a stack's place, where some of its columns keep all from the first few rows of a pass.
+    /// Puts parts into a stack's place, where some of its columns keep all from the first few rows of a pass. (Split at every
+    /// row, a stack that tapers would end in stairs: 56 % more quads on the delta wing.)
     bool split(std::size_t i, const Pass& pass) {
         if (stacks_[i].rows() >= stacks_[i].rows_before + kFewRows) return false;
         std::vector<RowStack> parts = split_stack(mesh_, stacks_[i], static_cast<std::size_t>(kLeastSegments * pass.ratio));
