@@ -72,7 +72,7 @@ class Workbench(WindowTest):
         self.doc.recompute()
         self.assertEqual(form.findChild(object, "figures").text().count("Durchgang"), 1)
         for text in quads.RowsPerPass:
-            self.assertRegex(text, "^Quelle 1, (links|rechts), Durchgang 1 .* Reihen; (.*(Reihe|Rand|Spalte|Dreiecke|Viereck).*)$")
+            self.assertRegex(text, "^Quelle 1, (links|rechts), Durchgang 1 .* Reihen zu [0-9]+ Spalten; (.*(Reihe|Rand|Spalte|Dreiecke|Viereck).*)$")
         self.screenshot("german")
         self.button("Abbrechen").click()
 
