@@ -93,7 +93,9 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
     if (demands.nearer < 1.0)
         return after.distance <= demands.nearer * before.distance && after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     // One of several useless elements may be mended before the others.
-    const bool fewer_useless = after.inverted < before.inverted || after.deficit <= before.deficit - kMadeUseful;
+    // The count comes first: either alone would let two changes undo each other for ever.
+    const bool fewer_useless =
+        after.inverted != before.inverted ? after.inverted < before.inverted : after.deficit <= before.deficit - kMadeUseful;
     if (demands.improvement > 0.0 && !fewer_useless && after.worst < before.worst + demands.improvement) return false;
     // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
     if (fewer_useless) return after.aspect <= std::max(before.aspect, before.worst > kUpright ? kAnyAspect : kAspectOfSlivers);
