@@ -69,13 +69,16 @@ class Pipeline {
         begin("check", 0.0, 0.02);
         check_options(options_, points_.size());
         check_input(points_, triangles_);
+        context_.report(0.25);
         const Frame frame(points_, triangles_);
         if (!target_) put_triangles_in_order();
         unit_points_.reserve(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) unit_points_.push_back(frame.in(points_[at(input_vertex(static_cast<std::int32_t>(i)))]));
+        context_.report(0.5);
         mesh_ = from_arrays(unit_points_, triangles_);
         check_sources(mesh_, sources_, order_.rank);
         check_feature_edges(mesh_, options_.feature_edges, order_.rank);
+        context_.report(0.75);
         if (!order_.rank.empty()) put_ids_in_order();
         order_.rank = {};
         order_.triangle = {};
@@ -85,6 +88,7 @@ class Pipeline {
         begin("features", 0.02, 0.05);
         std::vector<char> in_fold;
         const std::vector<FeatureLine> lines = find_lines(frame, in_fold);
+        context_.report(0.3);
         const ReferenceLines reference_lines(mesh_, lines);
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;

@@ -56,7 +56,7 @@ class Cleaner {
         most_work_ = kLeastWork + kWorkPerQuad * static_cast<std::size_t>(mesh_.face_count());
         most_tries_ = kLeastTries + kTriesPerNode * queue_.size();
         work_off();
-        for (int round = 0; round < kRounds && grow_regions(); ++round) context_.report((round + 1.0) / (kRounds + 1.0));
+        for (int round = 0; round < kRounds && grow_regions(); ++round) done_ = (round + 1.0) / (kRounds + 1.0);
         repair();
         return operations_;
     }
@@ -74,9 +74,15 @@ class Cleaner {
         queue_.push(v);
     }
 
+    /// Tells how far the clean-up is, every now and then. @throws Error{cancelled}
+    void breathe() {
+        if (++steps_ % 128 == 0) context_.report(done_);
+    }
+
     /// Local patterns, until none is left.
     void work_off() {
         for (; !queue_.empty(); queue_.pop()) {
+            breathe();
             const Vertex v = queue_.front();
             queued_[static_cast<std::size_t>(v.index())] = 0;
             if (!may_try() || !is_irregular(v)) continue;
@@ -92,6 +98,7 @@ class Cleaner {
         const std::int32_t start = operations_;
         for (std::int32_t i = 0; i < mesh_.vertex_slots() && may_try(); ++i) {
             const Vertex v(i);
+            breathe();
             if (!is_irregular(v) || last_change(v) < last_round_) continue;
             if (!growth_.improve(v, {}, region)) continue;
             note_change(region);
@@ -133,6 +140,7 @@ class Cleaner {
     }
 
     void repair(Face f) {
+        breathe();
         if (!is_due(f, repaired_)) return;
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > kPoor) return;
@@ -146,6 +154,7 @@ class Cleaner {
 
     /// A quad that spans a fold of the surface is worth irregular nodes, if the new ones lie nearer.
     void bring_nearer(Face f) {
+        breathe();
         if (!is_due(f, brought_nearer_) || !is_far(f)) return;
         if (!change_round(f, kBringNearer) && !inset(f, kBringNearer)) grow_round(f, kBringNearer);
     }
@@ -270,6 +279,8 @@ class Cleaner {
     std::vector<Proposal> proposals_;
     std::vector<std::size_t> order_;  ///< of those that gain enough, best first
     std::int32_t operations_ = 0;
+    std::int32_t steps_ = 0;
+    double done_ = 0.0;  ///< share of the clean-up
 };
 
 }  // namespace

@@ -55,7 +55,8 @@ class Prepare {
         spread(field);
         result_.patches = static_cast<std::int32_t>(std::count(chosen_.begin(), chosen_.end(), 1));
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
-            context_.report(static_cast<double>(sweep) / kSweeps);
+            const double done = static_cast<double>(sweep) / kSweeps;
+            context_.report(done);
             // Lines first, as often as they still double: the triangles beside them follow.
             for (int i = 0; i < kSweeps; ++i) {
                 field.assign(mesh_, hint_, kept_edges(), source_bounds());
@@ -64,7 +65,7 @@ class Prepare {
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
             field.assign(mesh_, hint_, line_edges(), source_bounds());
             std::vector<char> zone = zone_of_patches();
-            const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_});
+            const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_, .context = &context_, .done = done});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
         }
         follow_sources();

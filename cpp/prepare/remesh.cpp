@@ -21,7 +21,14 @@ constexpr double kLong = 1.45;
 constexpr double kLeastFold = 0.8;  // cosine between the triangles of a swapped edge, see flip_keeps_surface()
 constexpr double kShort = 0.85;
 
-bool is_in(std::span<const char> patches, std::int32_t patch) { return patches.empty() || patches[static_cast<std::size_t>(patch)] != 0; }
+bool is_in(std::span<const char> patches, std::int32_t patch) {
+    return patches.empty() || patches[static_cast<std::size_t>(patch)] != 0;
+}
+
+/// Asks every now and then whether to go on. @throws Error{cancelled}
+void breathe(const RemeshOptions& options, std::int32_t step) {
+    if (options.context && step % 2048 == 0) options.context->report(options.done);
+}
 
 /// Cosine and sine of the angle at r in the triangle p q r.
 void opposite_angle(const Point& p, const Point& q, const Point& r, double& cosine, double& sine) {
@@ -32,7 +39,8 @@ void opposite_angle(const Point& p, const Point& q, const Point& r, double& cosi
 }
 
 /// Swaps one edge if that makes it Delaunay and keeps the surface.
-bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& reference, const RemeshOptions& options, std::int32_t& hint) {
+bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& reference, const RemeshOptions& options,
+                           std::int32_t& hint) {
     const HalfEdge h = M::halfedge(e);
     if (mesh.is_constrained(e) || !mesh.is_triangle(mesh.face(h)) || !mesh.is_triangle(mesh.face(M::twin(h)))) return false;
     if (!is_in(options.patches, mesh.info(mesh.face(h)).patch)) return false;
@@ -50,7 +58,8 @@ bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& re
     const std::int32_t patch = mesh.info(mesh.face(h)).patch;
     const SurfacePoint now = reference.closest(0.5 * (p + q), patch, hint);
     hint = now.facet;
-    if (reference.closest(0.5 * (l + r), patch, hint).distance > std::max(options.deviation * reference.diagonal(), now.distance)) return false;
+    if (reference.closest(0.5 * (l + r), patch, hint).distance > std::max(options.deviation * reference.diagonal(), now.distance))
+        return false;
     if (!options.coverage) {
         flip(mesh, e);
         return true;
@@ -66,7 +75,11 @@ bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& re
 class Remesh {
   public:
     Remesh(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference, const RemeshOptions& options)
-        : mesh_(mesh), zone_(zone), reference_(reference), options_(options), deviation_(options.deviation * reference.diagonal()) {}
+        : mesh_(mesh),
+          zone_(zone),
+          reference_(reference),
+          options_(options),
+          deviation_(options.deviation * reference.diagonal()) {}
 
     RemeshResult run() {
         for (int i = 0; i < options_.sweeps; ++i) {
@@ -82,7 +95,9 @@ class Remesh {
 
   private:
     const Point& at(Vertex v) const { return mesh_.position(v); }
-    bool in_zone(Vertex v) const { return v.index() < static_cast<std::int32_t>(zone_.size()) && zone_[static_cast<std::size_t>(v.index())]; }
+    bool in_zone(Vertex v) const {
+        return v.index() < static_cast<std::int32_t>(zone_.size()) && zone_[static_cast<std::size_t>(v.index())];
+    }
     double wanted(Edge e) const {
         const HalfEdge h = M::halfedge(e);
         return kTriangleEdge * 0.5 * (mesh_.info(mesh_.from(h)).size + mesh_.info(mesh_.to(h)).size);
@@ -114,7 +129,9 @@ class Remesh {
             if (ratio < kShort) edges.emplace_back(ratio, Edge(i));
         }
         std::sort(edges.begin(), edges.end());
+        std::int32_t step = 0;
         for (const auto& [ratio, e] : edges) {
+            breathe(options_, ++step);
             if (!is_candidate(e) || mesh_.length(e) >= kShort * wanted(e)) continue;
             const HalfEdge h = M::halfedge(e);
             if (try_collapse(h) || try_collapse(M::twin(h))) ++result_.collapses;
@@ -134,11 +151,14 @@ class Remesh {
             if (ratio > kLong) edges.emplace_back(-ratio, Edge(i));
         }
         std::sort(edges.begin(), edges.end());
+        std::int32_t step = 0;
         for (const auto& [ratio, e] : edges) {
+            breathe(options_, ++step);
             if (!is_candidate(e) || mesh_.length(e) <= kLong * wanted(e)) continue;
             const HalfEdge h = M::halfedge(e);
             const Vertex v = split_covered_edge(mesh_, e, 0.5 * (at(mesh_.from(h)) + at(mesh_.to(h))), options_.coverage);
-            if (static_cast<std::size_t>(mesh_.vertex_slots()) > zone_.size()) zone_.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+            if (static_cast<std::size_t>(mesh_.vertex_slots()) > zone_.size())
+                zone_.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
             zone_[static_cast<std::size_t>(v.index())] = 1;
             std::int32_t hint = -1;
             const Point kept = at(v);
@@ -176,6 +196,7 @@ class Remesh {
         std::int32_t hint = -1;
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
             const Vertex v(i);
+            breathe(options_, i);
             if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid() || !is_free(v)) continue;
             Point target;
             if (!laplacian_target(mesh_, v, target)) continue;
@@ -208,11 +229,14 @@ std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& z
                                    const RemeshOptions& options) {
     std::int32_t hint = -1;
     std::int32_t flips = 0;
-    const auto inside = [&](Vertex v) { return v.index() < static_cast<std::int32_t>(zone.size()) && zone[static_cast<std::size_t>(v.index())]; };
+    const auto inside = [&](Vertex v) {
+        return v.index() < static_cast<std::int32_t>(zone.size()) && zone[static_cast<std::size_t>(v.index())];
+    };
     for (int sweep = 0; sweep < 4; ++sweep) {
         const std::int32_t before = flips;
         for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
             const Edge e(i);
+            breathe(options, i);
             if (mesh.is_deleted(e) || mesh.is_constrained(e)) continue;
             const HalfEdge h = M::halfedge(e);
             if (!inside(mesh.from(h)) && !inside(mesh.to(h))) continue;
@@ -223,7 +247,8 @@ std::int32_t swap_towards_delaunay(SurfaceMesh& mesh, const std::vector<char>& z
     return flips;
 }
 
-RemeshResult remesh_triangles(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference, const RemeshOptions& options) {
+RemeshResult remesh_triangles(SurfaceMesh& mesh, std::vector<char>& zone, const ReferenceSurface& reference,
+                              const RemeshOptions& options) {
     return Remesh(mesh, zone, reference, options).run();
 }
 

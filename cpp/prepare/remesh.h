@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "prepare/coverage.h"
 #include "surface/reference_surface.h"
@@ -22,9 +23,11 @@ struct RemeshResult {
 
 struct RemeshOptions {
     int sweeps = 5;
-    double deviation = 4e-4;           ///< of triangles from the surface, over its diagonal
+    double deviation = 4e-4;             ///< of triangles from the surface, over its diagonal
     std::span<const char> patches = {};  ///< per patch, nonzero where the triangles may be changed; empty: in all patches
     Coverage* coverage = nullptr;        ///< also guards the input against being left uncovered
+    const Context* context = nullptr;    ///< asked now and then whether to go on
+    double done = 0.0;                   ///< share of the stage that is reported then
 };
 
 /// Adaptive remeshing of the unmeshed triangles towards VertexInfo::size (@cite botsch2004remeshing, @cite dunyach2013adaptive):

@@ -28,6 +28,7 @@ constexpr double kRelaxation =
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
+constexpr std::size_t kAtOnce = 8 * kBlock;  ///< nodes between two reports
 constexpr double kUpright = 1e-6;  ///< scaled Jacobian at which rounding no longer chooses the sign
 
 struct Statistics {
@@ -75,18 +76,24 @@ class FinalSmoother {
 
     /// Visits the nodes round which something moved in this sweep or the last one: the blocks side by side, then the nodes whose
     /// star reaches into another block.
+    /// @param breathe called now and then
     /// @returns number of moves
-    int sweep(int number) {
+    int sweep(int number, const std::function<void()>& breathe) {
         const auto visit_nodes = [&](std::span<const Vertex> nodes) {
             int moves = 0;
             for (const Vertex v : nodes) moves += visit_if_awake(v, number) ? 1 : 0;
             return moves;
         };
-        const auto visit_block = [&](std::int32_t first, std::int32_t last) {
-            return visit_nodes(
-                std::span(inner_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
-        };
-        const int moves = reduce_blocks(static_cast<std::int32_t>(inner_.size()), 0, visit_block, std::plus<>());
+        int moves = 0;
+        breathe();
+        for (std::size_t start = 0; start < inner_.size(); start += kAtOnce) {
+            const auto nodes = std::span(inner_).subspan(start, std::min(kAtOnce, inner_.size() - start));
+            const auto visit_block = [&](std::int32_t first, std::int32_t last) {
+                return visit_nodes(nodes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
+            };
+            moves += reduce_blocks(static_cast<std::int32_t>(nodes.size()), 0, visit_block, std::plus<>());
+            if (start + kAtOnce < inner_.size()) breathe();
+        }
         return moves + visit_nodes(between_);
     }
 
@@ -234,8 +241,8 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
 
     FinalSmoother smoother(mesh, reference, lines);
     while (result.sweeps < options.smoothing_passes) {
-        context.report(static_cast<double>(result.sweeps) / options.smoothing_passes);
-        const int moves = smoother.sweep(++result.sweeps);
+        const double done = static_cast<double>(result.sweeps) / options.smoothing_passes;
+        const int moves = smoother.sweep(++result.sweeps, [&] { context.report(done); });
         result.moves += moves;
         const Statistics now = statistics(mesh);
         const bool at_rest =

@@ -51,6 +51,21 @@ int constrained_edges(const SurfaceMesh& mesh) {
     return n;
 }
 
+TEST(Remesh, CanBeCancelledInItsMidst) {
+    for (const int asked : {1, 3}) {
+        Prepared p(shapes::grid(60, 60));
+        set_sizes(p.mesh, 0.5);
+        std::vector<char> zone = everywhere(p.mesh);
+        int calls = 0;
+        const Context context([&](std::string_view, double done) {
+            EXPECT_EQ(done, 0.25);
+            return ++calls < asked;
+        });
+        EXPECT_THROW(remesh_triangles(p.mesh, zone, p.reference, {.context = &context, .done = 0.25}), Error);
+        EXPECT_EQ(calls, asked);
+    }
+}
+
 TEST(Remesh, ApproachesTheWantedSize) {
     for (const double size : {0.5, 0.7, 1.6, 2.5}) {
         Prepared p(shapes::grid(20, 20));
