@@ -318,7 +318,7 @@ class Pipeline {
     }
 
     void finish(const Frame& frame, const ReferenceSurface& reference) {
-        measure(mesh_, reference, before_.euler_characteristic, report(), sources_);
+        measure(mesh_, reference, before_.euler_characteristic, report(), sources_, context_);
         report().hausdorff *= frame.scale;
         for (RowReport& row : report().rows) row.height_mean *= frame.scale;
         MeshArrays arrays = to_arrays(mesh_);

@@ -45,16 +45,21 @@ class Measurer {
         }
     }
 
-    void run(std::int32_t euler_in, std::span<const Source> sources) {
+    void run(std::int32_t euler_in, std::span<const Source> sources, const Context& context) {
         report_.euler_in = euler_in;
         count_elements();
+        context.report(0.1);
         measure_quality();
+        context.report(0.3);
         count_inverted();
         measure_corners();
+        context.report(0.4);
         count_valences();
         compare_row_ends();
         report_.rows = measure_rows(mesh_, sources);
+        context.report(0.5);
         measure_distance();
+        context.report(0.9);
     }
 
   private:
@@ -267,8 +272,8 @@ class Measurer {
 }  // namespace
 
 void measure(const SurfaceMesh& result, const ReferenceSurface& reference, std::int32_t euler_in, Report& report,
-             std::span<const Source> sources) {
-    Measurer(result, reference, report).run(euler_in, sources);
+             std::span<const Source> sources, const Context& context) {
+    Measurer(result, reference, report).run(euler_in, sources, context);
 }
 
 }  // namespace anisoquad

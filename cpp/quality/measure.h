@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "options.h"
 #include "quality/report.h"
@@ -18,7 +19,8 @@ namespace anisoquad {
 /// @param reference the triangulation that was meshed, in the frame and units of `result`
 /// @param euler_in its Euler characteristic
 /// @param sources tell the left from the right side of the rows
+/// @param context told between the measures. @throws Error{cancelled}
 void measure(const SurfaceMesh& result, const ReferenceSurface& reference, std::int32_t euler_in, Report& report,
-             std::span<const Source> sources = {});
+             std::span<const Source> sources = {}, const Context& context = no_context());
 
 }  // namespace anisoquad
