@@ -28,7 +28,6 @@ constexpr std::size_t kWorkPerPoor = 1000;
 constexpr std::size_t kMostPoor = 40;  ///< quads for which there are such tries: a mesh with more is hopeless for other reasons
 constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
-constexpr double kInverted = 1e-4;  ///< scaled Jacobian up to which a quad is inverted or has a corner of 180°
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
 constexpr double kFar = 1.2e-3;     ///< distance from the surface, over its diagonal, of quads that are repaired
@@ -148,7 +147,7 @@ class Cleaner {
         const bool changed = change_round(f, demands);
         if (quality > kUnusable) return;
         // What was mended may have been a neighbour.
-        if (changed && (mesh_.is_deleted(f) || !mesh_.is_quad(f) || scaled_jacobian(mesh_, f) > kInverted)) return;
+        if (changed && (mesh_.is_deleted(f) || !mesh_.is_quad(f) || scaled_jacobian(mesh_, f) > Trial::kUpright)) return;
         if (!inset(f, demands)) grow_round(f, demands);
     }
 

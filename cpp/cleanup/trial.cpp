@@ -20,7 +20,6 @@ constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node'
 constexpr double kBad = 0.25;           ///< scaled Jacobian
 constexpr double kUseless = 0.05;       ///< scaled Jacobian
 constexpr double kAnyAspect = 20.0;     ///< for the repair of what is useless
-constexpr double kUpright = 1e-4;       ///< scaled Jacobian up to which a quad is inverted, but for rounding
 constexpr double kAspectOfSlivers = 1e3;  ///< for the repair of what is inverted: between lines that meet at a small angle all is slim
 constexpr double kMadeUseful = 0.01;   ///< gain of the scaled Jacobian that counts as repair where it was useless
 constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair

@@ -19,6 +19,9 @@ class Trial {
         double nearer = 1.0;        ///< < 1: the distance from the surface must fall to this share of what it was
     };
 
+    /// Scaled Jacobian up to which a quad is inverted, but for rounding, or has a corner of 180°.
+    static constexpr double kUpright = 1e-4;
+
     Trial(SurfaceMesh& mesh, const ReferenceSurface& reference);
 
     /// What the irregularity (Sectors) of the region's nodes would fall by.

@@ -54,6 +54,7 @@ bool flip_towards_delaunay(SurfaceMesh& mesh, Edge e, const ReferenceSurface& re
     // sin(angle sum) < 0: the sum is above π.
     const double scale = std::sqrt((cl * cl + sl * sl) * (cr * cr + sr * sr));
     if (sl * cr + cl * sr > -1e-6 * scale) return false;
+    // Only now, since it goes round the nodes, and most edges are Delaunay's.
     if (!is_flip_ok(mesh, e) || !flip_keeps_surface(mesh, e, kLeastFold)) return false;
     const std::int32_t patch = mesh.info(mesh.face(h)).patch;
     const SurfacePoint now = reference.closest(0.5 * (p + q), patch, hint);

@@ -96,6 +96,7 @@ class Star {
     double distance(const ReferenceSurface& reference, const Point& p) const;
     void find_fold();
     /// @param ratio receives longest over shortest edge of a quad, 1 for a triangle
+    /// @param sines receives the mean sine of the corners of a quad, the quality of a triangle
     double quality(const Wedge& wedge, const Point& p, double& ratio, double& sines) const;
 
     std::array<Wedge, kCapacity> wedges_;

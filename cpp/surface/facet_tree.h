@@ -28,8 +28,7 @@ class FacetTree {
     FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch = {});
 
     /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the
-    /// answer: a
-    ///        closest point of the sheet that the hint lies on. Else all facets are searched.
+    ///        answer: a closest point of the sheet that the hint lies on. Else all facets are searched.
     Hit closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
     /// The exact closest point, or, if the walk from the hint finds one within the squared distance `enough2`, any such point.
     Hit closest_or_within(const Point& p, std::int32_t patch, std::int32_t hint, double enough2) const;
