@@ -114,22 +114,27 @@ class Cleaner {
         std::size_t poor = 0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             const Face f(i);
-            poor += !mesh_.is_deleted(f) && mesh_.is_quad(f) && mesh_.info(f).row == 0 && scaled_jacobian(mesh_, f) <= kPoor ? 1 : 0;
+            poor += is_repairable(f) && scaled_jacobian(mesh_, f) <= kPoor ? 1 : 0;
         }
         most_tries_ = std::max(most_tries_, trial_.tries() + kTriesPerPoor * std::min(poor, kMostPoor));
         most_work_ = std::max(most_work_, trial_.work() + kWorkPerPoor * std::min(poor, kMostPoor));
         for (int round = 0; round < kRepairRounds; ++round) {
             const std::int32_t before = operations_;
-            for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair(Face(i));
+            // What is flat first: slim quads between lines that meet at a small angle may use up the tries in vain.
+            for (const double worst : {Trial::kUpright, kPoor}) {
+                for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair(Face(i), worst);
+            }
             for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) bring_nearer(Face(i));
             work_off();
             if (operations_ == before) return;
         }
     }
 
+    bool is_repairable(Face f) const { return !mesh_.is_deleted(f) && mesh_.is_quad(f) && mesh_.info(f).row == 0; }
+
     /// True for faces of no row round which something changed since they were last given to this function with the same list.
     bool is_due(Face f, std::vector<std::int32_t>& tried) const {
-        if (mesh_.is_deleted(f) || !mesh_.is_quad(f) || mesh_.info(f).row > 0) return false;
+        if (!is_repairable(f)) return false;
         const auto i = static_cast<std::size_t>(f.index());
         if (tried.size() <= i) tried.resize(static_cast<std::size_t>(mesh_.face_slots()), -1);
         const std::int32_t last = std::exchange(tried[i], operations_);
@@ -138,11 +143,12 @@ class Cleaner {
         return is_due;
     }
 
-    void repair(Face f) {
+    /// @param worst scaled Jacobian above which the quad is left as it is
+    void repair(Face f, double worst) {
         breathe();
-        if (!is_due(f, repaired_)) return;
+        if (!is_repairable(f)) return;
         const double quality = scaled_jacobian(mesh_, f);
-        if (quality > kPoor) return;
+        if (quality > worst || !is_due(f, repaired_)) return;
         const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
         const bool changed = change_round(f, demands);
         if (quality > kUnusable) return;
