@@ -229,7 +229,7 @@ class Measurer {
         values_.clear();
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
             const Edge e(i);
-            if (mesh_.is_deleted(e) || mesh_.is_boundary(e)) continue;
+            if (mesh_.is_deleted(e) || mesh_.is_constrained(e)) continue;  // beyond a line another patch has sizes of its own
             const Face f = mesh_.face(M::halfedge(e, 0));
             const Face g = mesh_.face(M::halfedge(e, 1));
             if ((mesh_.info(f).row > 0) == (mesh_.info(g).row > 0) || !mesh_.is_quad(f) || !mesh_.is_quad(g)) continue;

@@ -76,7 +76,7 @@ struct Report {
     double scaled_jacobian_limit = 1.0;  ///< that sine, 1 when the corner is not below 90°
     /// Minimum over the quads that do not fill a feature corner whose angle alone keeps them below it.
     double scaled_jacobian_min_elsewhere = 0.0;
-    double neighbour_area_ratio_p95 = 1.0;  ///< over the edges between the last row and what follows it
+    double neighbour_area_ratio_p95 = 1.0;  ///< over the edges between rows and what follows them in the same patch
     double neighbour_area_ratio_max = 1.0;
     std::vector<std::int32_t> valence_histogram;  ///< interior nodes by number of edges
     double regular_percent = 0.0;                 ///< interior nodes with four edges
