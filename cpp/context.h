@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string_view>
 
@@ -26,16 +27,29 @@ class Context {
 
     /// @param fraction of the running stage. @throws Error{cancelled}
     void report(double fraction) const {
-        if (callback_ && !callback_(stage_, from_ + (to_ - from_) * fraction)) {
+        fraction_ = fraction;
+        breathe();
+    }
+
+    /// Asks whether to go on where no share of the work is done yet that is worth a report. @throws Error{cancelled}
+    void breathe() const {
+        if (callback_ && !callback_(stage_, from_ + (to_ - from_) * fraction_)) {
             throw Error(ErrorCode::cancelled, "Meshing was cancelled.");
         }
     }
 
+    /// The same in a loop, every kStride steps. @param i counts the steps
+    void breathe_at(std::int64_t i) const {
+        if (i % kStride == 0) breathe();
+    }
+
   private:
+    static constexpr std::int64_t kStride = 1 << 16;
     Callback callback_;
     std::string_view stage_ = "";
     double from_ = 0.0;
     double to_ = 1.0;
+    mutable double fraction_ = 0.0;
 };
 
 /// A context that reports to nobody and never cancels.

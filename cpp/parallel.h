@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "context.h"
+
 /// Parallel loops over blocks of fixed size, so that results are the same, to the last bit, for any number of threads.
 namespace anisoquad {
 
@@ -31,11 +33,40 @@ void for_each(std::int32_t n, Function f) {
     });
 }
 
+/// Elements of so many blocks that all threads have work, and that they take a few hundredths of a second.
+inline std::int32_t blocks_at_once() { return kBlock * std::max(4, 2 * tbb::this_task_arena::max_concurrency()); }
+
+/// The same, and asks between groups of blocks whether to go on. @throws Error{cancelled}
+template <class Function>
+void for_blocks(std::int32_t n, const Context& context, Function f) {
+    const std::int32_t group = blocks_at_once();
+    for (std::int32_t start = 0; start < n; start += group) {
+        context.breathe();
+        for_blocks(std::min(group, n - start), [&](std::int32_t first, std::int32_t last) { f(start + first, start + last); });
+    }
+}
+
+template <class Function>
+void for_each(std::int32_t n, const Context& context, Function f) {
+    for_blocks(n, context, [&](std::int32_t first, std::int32_t last) {
+        for (std::int32_t i = first; i < last; ++i) f(i);
+    });
+}
+
 /// Combines f(first, last) of all blocks in their order. @param combine (so far, of a block) → together
 template <class Value, class Function, class Combine>
 Value reduce_blocks(std::int32_t n, Value start, Function f, Combine combine) {
     std::vector<Value> parts(static_cast<std::size_t>((n + kBlock - 1) / kBlock), start);
     for_blocks(n, [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
+    for (const Value& part : parts) start = combine(start, part);
+    return start;
+}
+
+/// The same, and asks between groups of blocks whether to go on. @throws Error{cancelled}
+template <class Value, class Function, class Combine>
+Value reduce_blocks(std::int32_t n, const Context& context, Value start, Function f, Combine combine) {
+    std::vector<Value> parts(static_cast<std::size_t>((n + kBlock - 1) / kBlock), start);
+    for_blocks(n, context, [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
     for (const Value& part : parts) start = combine(start, part);
     return start;
 }

@@ -68,20 +68,23 @@ class Pipeline {
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
         check_options(options_, points_.size());
-        check_input(points_, triangles_);
+        check_input(points_, triangles_, context_);
         context_.report(0.25);
         const Frame frame(points_, triangles_);
         if (!target_) put_triangles_in_order();
+        context_.breathe();
         unit_points_.reserve(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) unit_points_.push_back(frame.in(points_[at(input_vertex(static_cast<std::int32_t>(i)))]));
         context_.report(0.5);
-        mesh_ = from_arrays(unit_points_, triangles_);
+        mesh_ = from_arrays(unit_points_, triangles_, context_);
+        context_.breathe();
         check_sources(mesh_, sources_, order_.rank);
         check_feature_edges(mesh_, options_.feature_edges, order_.rank);
         context_.report(0.75);
         if (!order_.rank.empty()) put_ids_in_order();
         order_.rank = {};
         order_.triangle = {};
+        context_.breathe();
         before_ = topology(mesh_);
         end();
 
@@ -93,7 +96,7 @@ class Pipeline {
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
         for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
-        ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle);
+        ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle, context_);
         end();
 
         begin("prepare", 0.05, 0.1);
@@ -110,6 +113,7 @@ class Pipeline {
 
         begin("parity", 0.25, 0.26);
         report().parity_splits = refine_small_patches(mesh_);
+        context_.breathe();
         const ParityResult parity = make_parity_even(mesh_);
         report().parity_splits += parity.splits;
         if (!parity.left.empty())
@@ -207,7 +211,9 @@ class Pipeline {
     /// Feature lines and patches. Where triangles are to be remeshed, folds that would be lost become lines too.
     std::vector<FeatureLine> find_lines(const Frame& frame, std::vector<char>& in_fold) {
         std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
+        context_.breathe();
         report().patches = find_patches(mesh_);
+        context_.breathe();
         if (target_) return lines;  // a CAD shape has borders of its faces there
         const std::vector<char> chosen = patches_to_remesh(mesh_, options_);
         if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
@@ -249,7 +255,7 @@ class Pipeline {
             MeshArrays arrays = to_arrays(mesh_);
             points = std::move(arrays.points);
             for (const auto& f : arrays.faces) triangles.push_back({f[0], f[1], f[2]});
-            in_use = ReferenceSurface(points, triangles);
+            in_use = ReferenceSurface(points, triangles, {}, options_.feature_angle, context_);
         }
         const LocalSize size = remeshed ? LocalSize(points, triangles, in_use) : LocalSize(unit_points_, triangles_, reference);
         const auto observe = [&](const std::string& stage) {
@@ -263,7 +269,7 @@ class Pipeline {
         report().passes = std::move(rows.passes);
         for (const std::string& warning : rows.warnings) warn(warning);
         assign_node_sizes(mesh_);
-        blend_ahead_of_rows(mesh_, reference);
+        blend_ahead_of_rows(mesh_, reference, context_);
     }
 
     /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn as long

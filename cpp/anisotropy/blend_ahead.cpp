@@ -45,7 +45,7 @@ void limit_near_lines(SurfaceMesh& mesh, const std::vector<char>& zone) {
 
 }  // namespace
 
-void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference) {
+void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference, const Context& context) {
     std::vector<char> zone(static_cast<std::size_t>(mesh.vertex_slots()), 0);
     std::priority_queue<Raised> queue;
     std::vector<char> has_rows;  // per patch: the other patches keep their sizes, although they share nodes on lines
@@ -99,7 +99,7 @@ void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference) {
             }
         }
     }
-    remesh_triangles(mesh, zone, reference, {.sweeps = 8, .deviation = 1e-3});
+    remesh_triangles(mesh, zone, reference, {.sweeps = 8, .deviation = 1e-3, .context = &context});
 }
 
 }  // namespace anisoquad

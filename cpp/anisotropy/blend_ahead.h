@@ -1,5 +1,6 @@
 #pragma once
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "surface/reference_surface.h"
 
@@ -9,6 +10,7 @@ namespace anisoquad {
 /// of the rows (paper 3.2, Fig. 5 shows the sudden transition that is to be avoided): the wanted size of nodes near long front edges is
 /// raised, falling off by a bounded rate with distance, and the triangles there are remeshed.
 /// @pre assign_node_sizes
-void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference);
+/// @throws Error{cancelled}
+void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference, const Context& context = no_context());
 
 }  // namespace anisoquad

@@ -31,15 +31,21 @@ void reject(ErrorCode code, ElementKind kind, std::vector<std::int32_t> ids, con
 
 class InputChecker {
   public:
-    InputChecker(std::span<const Point> points, Triangles triangles) : points_(points), triangles_(triangles) {}
+    InputChecker(std::span<const Point> points, Triangles triangles, const Context& context)
+        : points_(points), triangles_(triangles), context_(context) {}
 
     void run() {
         check_numbers();
+        context_.breathe();
         check_facets();
+        context_.breathe();
         edges_ = sorted_edges(points_.size(), triangles_);
+        context_.breathe();
         check_duplicates();
         check_edges();
+        context_.breathe();
         check_orientation();
+        context_.breathe();
         check_vertices();
     }
 
@@ -203,6 +209,7 @@ class InputChecker {
 
     std::span<const Point> points_;
     Triangles triangles_;
+    const Context& context_;
     std::vector<DirectedEdge> edges_;
     std::vector<std::int32_t> mate_;  ///< per corner: half-edge on the other side, -1 = boundary
 };
@@ -283,7 +290,9 @@ class SourceChecker {
 
 }  // namespace
 
-void check_input(std::span<const Point> points, Triangles triangles) { InputChecker(points, triangles).run(); }
+void check_input(std::span<const Point> points, Triangles triangles, const Context& context) {
+    InputChecker(points, triangles, context).run();
+}
 
 void check_sources(const SurfaceMesh& mesh, std::span<const Source> sources, std::span<const std::int32_t> rank) {
     SourceChecker checker(mesh, rank);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "options.h"
 
@@ -14,8 +15,9 @@ namespace anisoquad {
 /// Rejects what is not an oriented manifold triangulation: everything that from_arrays() and the later stages rely on.
 /// Several components, open and closed surfaces and any genus are valid; so are points that no triangle uses.
 /// @throws Error{empty_mesh, non_finite_coordinates, index_out_of_range, degenerate_facets, duplicate_facets,
-///         non_manifold_edges, inconsistent_orientation, non_manifold_vertices}, looked for in this order
-void check_input(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles);
+///         non_manifold_edges, inconsistent_orientation, non_manifold_vertices}, looked for in this order; Error{cancelled}
+void check_input(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+                 const Context& context = no_context());
 
 /// Rejects sources that are not paths of mesh edges, that touch themselves (but for a closed one's end) or each other
 /// elsewhere than at nodes where both end, and passes with a ratio below 1 or fewer than 0 rows.

@@ -3,7 +3,7 @@
 #include "mesh/directed_edges.h"
 
 namespace anisoquad {
-SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles) {
+SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, const Context& context) {
     SurfaceMesh mesh;
     const auto n = static_cast<std::int32_t>(points.size());
     const auto m = static_cast<std::int32_t>(triangles.size());
@@ -11,11 +11,14 @@ SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::arra
     for (const Point& p : points) mesh.add_vertex(p);
     for (std::int32_t i = 0; i < n; ++i) mesh.info(Vertex(i)).input = i;
 
+    context.breathe();
     const std::vector<DirectedEdge> edges = sorted_edges(points.size(), triangles);
+    context.breathe();
     std::vector<HalfEdge> of_corner(edges.size());
     // Edges are numbered in the order of the facets, so that neighbours in the mesh are neighbours in memory.
     std::vector<std::int32_t> mate(edges.size(), -1);
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        context.breathe_at(static_cast<std::int64_t>(i));
         if (edges[i].low == edges[i + 1].low && edges[i].high == edges[i + 1].high) {
             mate[static_cast<std::size_t>(edges[i].corner)] = edges[i + 1].corner;
             mate[static_cast<std::size_t>(edges[i + 1].corner)] = edges[i].corner;
@@ -23,6 +26,7 @@ SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::arra
         }
     }
     for (std::int32_t f = 0; f < m; ++f) {
+        context.breathe_at(f);
         const Face face = mesh.add_face();
         const auto& t = triangles[static_cast<std::size_t>(f)];
         std::array<HalfEdge, 3> h;
@@ -39,6 +43,7 @@ SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::arra
         for (std::size_t k = 0; k < 3; ++k) mesh.link(h[k], h[(k + 1) % 3]);
         mesh.set_halfedge(face, h[0]);
     }
+    context.breathe();
     // Boundary half-edges: the successor leaves the same vertex; one fan per vertex, so one boundary half-edge leaves it.
     for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
         if (mesh.is_boundary(HalfEdge(i))) mesh.set_halfedge(mesh.from(HalfEdge(i)), HalfEdge(i));

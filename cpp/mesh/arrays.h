@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 
 namespace anisoquad {
@@ -11,7 +12,9 @@ namespace anisoquad {
 /// Builds the half-edge mesh of a triangulation. Vertex i of the mesh is point i; face i is triangle i.
 /// @param triangles consistently oriented and manifold (see input/check.h, which must have passed); unused points are
 ///        kept as isolated vertices
-SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles);
+/// @throws Error{cancelled}
+SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+                        const Context& context = no_context());
 
 /// The mesh as arrays, without deleted and isolated elements, in the order of their slots.
 struct MeshArrays {

@@ -55,17 +55,18 @@ class Prepare {
         spread(field);
         result_.patches = static_cast<std::int32_t>(std::count(chosen_.begin(), chosen_.end(), 1));
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
-            const double done = static_cast<double>(sweep) / kSweeps;
-            context_.report(done);
+            context_.report(static_cast<double>(sweep) / kSweeps);
             // Lines first, as often as they still double: the triangles beside them follow.
             for (int i = 0; i < kSweeps; ++i) {
-                field.assign(mesh_, hint_, kept_edges(), source_bounds());
+                field.assign(mesh_, hint_, kept_edges(), source_bounds(), context_);
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
-            field.assign(mesh_, hint_, line_edges(), source_bounds());
+            field.assign(mesh_, hint_, line_edges(), source_bounds(), context_);
             std::vector<char> zone = zone_of_patches();
-            const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference, {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_, .context = &context_, .done = done});
+            const RemeshResult r =
+                remesh_triangles(mesh_, zone, input_.reference,
+                                 {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_, .context = &context_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
         }
         follow_sources();
@@ -184,7 +185,7 @@ class Prepare {
         for (bool again = true; again;) {
             again = false;
             // Every patch decides freely here, so that its lines show what they would like to be.
-            field.assign(mesh_, hint_, {});
+            field.assign(mesh_, hint_, {}, {}, context_);
             for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
                 const Edge e(i);
                 if (mesh_.is_deleted(e) || mesh_.is_boundary(e) || mesh_.info(e).line < 0) continue;

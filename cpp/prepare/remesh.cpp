@@ -27,7 +27,7 @@ bool is_in(std::span<const char> patches, std::int32_t patch) {
 
 /// Asks every now and then whether to go on. @throws Error{cancelled}
 void breathe(const RemeshOptions& options, std::int32_t step) {
-    if (options.context && step % 2048 == 0) options.context->report(options.done);
+    if (options.context && step % 2048 == 0) options.context->breathe();
 }
 
 /// Cosine and sine of the angle at r in the triangle p q r.

@@ -27,7 +27,6 @@ struct RemeshOptions {
     std::span<const char> patches = {};  ///< per patch, nonzero where the triangles may be changed; empty: in all patches
     Coverage* coverage = nullptr;        ///< also guards the input against being left uncovered
     const Context* context = nullptr;    ///< asked now and then whether to go on
-    double done = 0.0;                   ///< share of the stage that is reported then
 };
 
 /// Adaptive remeshing of the unmeshed triangles towards VertexInfo::size (@cite botsch2004remeshing, @cite dunyach2013adaptive):

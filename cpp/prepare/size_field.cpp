@@ -134,7 +134,7 @@ double SizeField::size_at(const SurfaceMesh& mesh, Vertex v, std::int32_t& hint)
 }
 
 void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept,
-                       std::span<const double> most) const {
+                       std::span<const double> most, const Context& context) const {
     struct Bound {
         double size;
         Vertex v;
@@ -144,6 +144,7 @@ void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::
     hint.resize(static_cast<std::size_t>(mesh.vertex_slots()), -1);
     for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
         const Vertex v(i);
+        context.breathe_at(i);
         if (mesh.is_deleted(v) || !mesh.halfedge(v).is_valid()) continue;
         double size = size_at(mesh, v, hint[static_cast<std::size_t>(i)]);
         for (const HalfEdge h : mesh.outgoing(v)) {
@@ -156,7 +157,8 @@ void SizeField::assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::
         queue.push({size, v});
     }
     const double growth = options_.growth - 1.0;
-    while (!queue.empty()) {
+    for (std::int64_t step = 0; !queue.empty(); ++step) {
+        context.breathe_at(step);
         const auto [size, v] = queue.top();
         queue.pop();
         if (size > mesh.info(v).size) continue;

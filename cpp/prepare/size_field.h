@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "surface/reference_surface.h"
 
@@ -37,7 +38,9 @@ class SizeField {
     /// @param hint per vertex slot, facets near the nodes; kept up to date, may be empty at first
     /// @param kept per edge slot or empty: nonzero for edges of lines that stay as they are; nodes there get their length
     /// @param most per vertex slot or empty: bounds from above, 0 = none
-    void assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept, std::span<const double> most = {}) const;
+    /// @throws Error{cancelled}
+    void assign(SurfaceMesh& mesh, std::vector<std::int32_t>& hint, std::span<const char> kept, std::span<const double> most = {},
+                const Context& context = no_context()) const;
 
   private:
     double size_at_ridge(double radius) const;

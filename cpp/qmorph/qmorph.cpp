@@ -43,12 +43,15 @@ class QMorph {
 
     QMorphResult run() {
         start_closed_components(mesh_);
+        context_.breathe();
         result_.quads += fill_sharp_corners(mesh_);
+        context_.breathe();
         triangles_ = 0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             triangles_ += !mesh_.is_deleted(Face(i)) && mesh_.is_triangle(Face(i));
         }
         for (std::int32_t i = 0; i < mesh_.halfedge_slots(); ++i) {
+            context_.breathe_at(i);
             if (!mesh_.is_deleted(HalfEdge(i)) && is_front(mesh_, HalfEdge(i))) push(HalfEdge(i));
         }
         std::int64_t steps = 0;

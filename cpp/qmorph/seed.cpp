@@ -28,11 +28,13 @@ int start_closed_components(SurfaceMesh& mesh) {
                     continue;
                 }
                 const HalfEdge g = M::twin(h);
-                const double q = scaled_jacobian(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(g))),
-                                                 mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h))));
-                if (q > best_quality) {
-                    best_quality = q;
-                    best = M::edge(h);
+                if (!has_front) {  // else no seed is wanted
+                    const double q = scaled_jacobian(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(g))),
+                                                     mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h))));
+                    if (q > best_quality) {
+                        best_quality = q;
+                        best = M::edge(h);
+                    }
                 }
                 const Face other = mesh.face(g);
                 if (seen[static_cast<std::size_t>(other.index())]) continue;

@@ -8,7 +8,7 @@
 
 namespace anisoquad {
 
-double distance_to(const FacetTree& surface, const FacetTree& triangles) {
+double distance_to(const FacetTree& surface, const FacetTree& triangles, const Context& context) {
     std::vector<std::int32_t> first_facet(triangles.point_count(), -1);  // that looks at the point
     for (std::int32_t f = triangles.count(); f-- > 0;) {
         for (const std::int32_t v : triangles.facet(f)) first_facet[static_cast<std::size_t>(v)] = f;
@@ -34,7 +34,7 @@ double distance_to(const FacetTree& surface, const FacetTree& triangles) {
         }
         return largest2;
     };
-    const double largest2 = reduce_blocks(triangles.count(), 0.0, largest2_of, [](double a, double b) { return std::max(a, b); });
+    const double largest2 = reduce_blocks(triangles.count(), context, 0.0, largest2_of, [](double a, double b) { return std::max(a, b); });
     return std::sqrt(largest2);
 }
 

@@ -38,28 +38,30 @@ double percentile(const std::vector<double>& sorted, double q) {
 
 class Measurer {
   public:
-    Measurer(const SurfaceMesh& mesh, const ReferenceSurface& reference, Report& report)
-        : mesh_(mesh), reference_(reference), report_(report), arrays_(to_arrays(mesh)) {
+    Measurer(const SurfaceMesh& mesh, const ReferenceSurface& reference, Report& report, const Context& context)
+        : mesh_(mesh), reference_(reference), report_(report), context_(context), arrays_(to_arrays(mesh)) {
         for (std::size_t i = 0; i < arrays_.faces.size(); ++i) {
             if (arrays_.faces[i][3] >= 0) quads_.push_back(i);
         }
     }
 
-    void run(std::int32_t euler_in, std::span<const Source> sources, const Context& context) {
+    void run(std::int32_t euler_in, std::span<const Source> sources) {
         report_.euler_in = euler_in;
         count_elements();
-        context.report(0.1);
+        context_.report(0.1);
         measure_quality();
-        context.report(0.3);
+        context_.report(0.3);
         count_inverted();
+        context_.breathe();
         measure_corners();
-        context.report(0.4);
+        context_.report(0.4);
         count_valences();
+        context_.breathe();
         compare_row_ends();
         report_.rows = measure_rows(mesh_, sources);
-        context.report(0.5);
+        context_.report(0.5);
         measure_distance();
-        context.report(0.9);
+        context_.report(0.9);
     }
 
   private:
@@ -81,6 +83,7 @@ class Measurer {
     /// @param measure (mesh, face) → value
     template <class Measure>
     Distribution distribution(Measure measure, bool small_is_bad) {
+        context_.breathe();
         Distribution result;
         values_.resize(quads_.size());
         for_each(static_cast<std::int32_t>(quads_.size()), [&](std::int32_t i) { values_[at(i)] = measure(face(quads_[at(i)])); });
@@ -254,9 +257,9 @@ class Measurer {
         arrays_ = {};
         quads_ = {};
         values_ = {};
-        const FacetTree result(std::move(points), std::move(halves));
-        const double out = distance_to(reference_.tree(), result);
-        const double back = distance_to(result, reference_.tree());
+        const FacetTree result(std::move(points), std::move(halves), {}, context_);
+        const double out = distance_to(reference_.tree(), result, context_);
+        const double back = distance_to(result, reference_.tree(), context_);
         report_.hausdorff = std::max(out, back);
         report_.hausdorff_relative = report_.hausdorff / reference_.diagonal();
     }
@@ -264,6 +267,7 @@ class Measurer {
     const SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;
     Report& report_;
+    const Context& context_;
     MeshArrays arrays_;
     std::vector<std::size_t> quads_;  ///< places in arrays_.faces
     std::vector<double> values_;
@@ -273,7 +277,7 @@ class Measurer {
 
 void measure(const SurfaceMesh& result, const ReferenceSurface& reference, std::int32_t euler_in, Report& report,
              std::span<const Source> sources, const Context& context) {
-    Measurer(result, reference, report).run(euler_in, sources, context);
+    Measurer(result, reference, report, context).run(euler_in, sources);
 }
 
 }  // namespace anisoquad

@@ -28,7 +28,6 @@ constexpr double kRelaxation =
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
-constexpr std::size_t kAtOnce = 8 * kBlock;  ///< nodes between two reports
 constexpr double kUpright = 1e-6;  ///< scaled Jacobian at which rounding no longer chooses the sign
 
 struct Statistics {
@@ -86,15 +85,20 @@ class FinalSmoother {
         };
         int moves = 0;
         breathe();
-        for (std::size_t start = 0; start < inner_.size(); start += kAtOnce) {
-            const auto nodes = std::span(inner_).subspan(start, std::min(kAtOnce, inner_.size() - start));
+        const auto at_once = static_cast<std::size_t>(blocks_at_once());
+        for (std::size_t start = 0; start < inner_.size(); start += at_once) {
+            const auto nodes = std::span(inner_).subspan(start, std::min(at_once, inner_.size() - start));
             const auto visit_block = [&](std::int32_t first, std::int32_t last) {
                 return visit_nodes(nodes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
             };
             moves += reduce_blocks(static_cast<std::int32_t>(nodes.size()), 0, visit_block, std::plus<>());
-            if (start + kAtOnce < inner_.size()) breathe();
+            breathe();
         }
-        return moves + visit_nodes(between_);
+        for (std::size_t start = 0; start < between_.size(); start += at_once) {
+            moves += visit_nodes(std::span(between_).subspan(start, std::min(at_once, between_.size() - start)));
+            breathe();
+        }
+        return moves;
     }
 
   private:

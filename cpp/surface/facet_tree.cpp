@@ -41,7 +41,8 @@ Eigen::Vector3f rounded(const Vector3d& p, float towards) {
 
 }  // namespace
 
-FacetTree::FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch)
+FacetTree::FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch,
+                     const Context& context)
     : points_(std::move(points)), facets_(std::move(facets)), patch_(std::move(patch)) {
     patch_.resize(facets_.size(), 0);
     Eigen::AlignedBox3d box;
@@ -49,9 +50,11 @@ FacetTree::FacetTree(std::vector<Point> points, std::vector<std::array<std::int3
         for (std::int32_t v : t) box.extend(points_[at(v)]);
     }
     diagonal_ = box.isEmpty() ? 0.0 : box.diagonal().norm();
+    context.breathe();
     find_neighbours();
+    context.breathe();
     measure_facets();
-    build_tree();
+    build_tree(context);
 }
 
 void FacetTree::find_neighbours() {
@@ -143,11 +146,13 @@ std::int32_t FacetTree::cut(std::int32_t first, std::int32_t last) const {
     return low > first && (high == last || half - low <= high - half) ? low : high;
 }
 
-void FacetTree::build_tree() {
+void FacetTree::build_tree(const Context& context) {
     nodes_.clear();
     if (facets_.empty()) return;
     nodes_.reserve(facets_.size());
+    context.breathe();
     order_facets();
+    context.breathe();
 
     // Parts of the order down to the leaves, each node before its children.
     struct Task {
@@ -174,6 +179,7 @@ void FacetTree::build_tree() {
             node.count = task.last - task.first;
         }
     }
+    context.breathe();
     // Their boxes from the leaves up.
     for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
         if (node->count > 0) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 
 namespace anisoquad {
@@ -25,7 +26,9 @@ class FacetTree {
 
     FacetTree() = default;
     /// @param patch of each facet; empty: all are patch 0
-    FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch = {});
+    /// @throws Error{cancelled}
+    FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch = {},
+              const Context& context = no_context());
 
     /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the
     ///        answer: a closest point of the sheet that the hint lies on. Else all facets are searched.
@@ -57,7 +60,7 @@ class FacetTree {
     void measure_facets();
     void order_facets();
     std::int32_t cut(std::int32_t first, std::int32_t last) const;
-    void build_tree();
+    void build_tree(const Context& context);
     void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const;
     void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Hit& best) const;
     bool walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit& best) const;

@@ -20,14 +20,14 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 ReferenceSurface::ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
-                                   std::span<const std::int32_t> facet_patch, double crease_angle)
-    : tree_({points.begin(), points.end()}, {triangles.begin(), triangles.end()}, {facet_patch.begin(), facet_patch.end()}) {
-    compute_normals(crease_angle);
+                                   std::span<const std::int32_t> facet_patch, double crease_angle, const Context& context)
+    : tree_({points.begin(), points.end()}, {triangles.begin(), triangles.end()}, {facet_patch.begin(), facet_patch.end()}, context) {
+    compute_normals(crease_angle, context);
 }
 
-void ReferenceSurface::compute_normals(double crease_angle) {
+void ReferenceSurface::compute_normals(double crease_angle, const Context& context) {
     facet_normal_.resize(at(facet_count()));
-    for_each(facet_count(), [&](std::int32_t f) {
+    for_each(facet_count(), context, [&](std::int32_t f) {
         const auto& [a, b, c] = tree_.facet(f);
         facet_normal_[at(f)] = (tree_.point(b) - tree_.point(a)).cross(tree_.point(c) - tree_.point(a)).stableNormalized();
     });
@@ -37,7 +37,7 @@ void ReferenceSurface::compute_normals(double crease_angle) {
         return t[0] == v ? 0 : (t[1] == v ? 1 : 2);
     };
     std::vector<std::array<double, 3>> angle(at(facet_count()));
-    for_each(facet_count(), [&](std::int32_t f) {
+    for_each(facet_count(), context, [&](std::int32_t f) {
         const auto& t = tree_.facet(f);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vector3d a = tree_.point(t[(k + 1) % 3]) - tree_.point(t[k]);
@@ -47,7 +47,7 @@ void ReferenceSurface::compute_normals(double crease_angle) {
     });
     const auto weighted = [&](std::int32_t facet, int k) -> Vector3d { return angle[at(facet)][at(k)] * facet_normal_[at(facet)]; };
     corner_normal_.resize(at(facet_count()));
-    for_each(facet_count(), [&](std::int32_t f) {
+    for_each(facet_count(), context, [&](std::int32_t f) {
         for (int k = 0; k < 3; ++k) {
             const std::int32_t v = tree_.facet(f)[at(k)];
             Vector3d sum = weighted(f, k);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "surface/facet_tree.h"
 #include "surface/target_surface.h"
@@ -31,8 +32,9 @@ class ReferenceSurface {
     /// @param facet_patch patch of each facet; empty: all are patch 0
     /// @param crease_angle degrees; a corner's normal is the mean over the facets that are reached from its facet round the
     ///        vertex without crossing an edge between patches or one where the facets turn by more than this
+    /// @throws Error{cancelled}
     ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
-                     std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0);
+                     std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0, const Context& context = no_context());
 
     SurfacePoint closest(const Point& p, std::int32_t patch = kAnyPatch) const;
     /// The same, faster when `hint` is a facet near p (-1: none), see FacetTree::closest().
@@ -59,7 +61,7 @@ class ReferenceSurface {
     double diagonal() const { return tree_.diagonal(); }
 
   private:
-    void compute_normals(double crease_angle);
+    void compute_normals(double crease_angle, const Context& context);
     Eigen::Vector3d interpolated_normal(const FacetTree::Hit& c) const;
 
     FacetTree tree_;

@@ -58,10 +58,10 @@ TEST(Remesh, CanBeCancelledInItsMidst) {
         std::vector<char> zone = everywhere(p.mesh);
         int calls = 0;
         const Context context([&](std::string_view, double done) {
-            EXPECT_EQ(done, 0.25);
+            EXPECT_EQ(done, 0.0);
             return ++calls < asked;
         });
-        EXPECT_THROW(remesh_triangles(p.mesh, zone, p.reference, {.context = &context, .done = 0.25}), Error);
+        EXPECT_THROW(remesh_triangles(p.mesh, zone, p.reference, {.context = &context}), Error);
         EXPECT_EQ(calls, asked);
     }
 }
