@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 #include "anisotropy/blend_ahead.h"
 #include "anisotropy/local_size.h"
@@ -36,6 +37,13 @@ using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
 constexpr int kRepairRounds = 2;
 constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
+
+/// Six digits, whatever the unit.
+std::string length_text(double length) {
+    std::ostringstream text;
+    text << length;
+    return text.str();
+}
 
 /// Moves the model to the origin and gives it the size 1, so that nothing depends on where and how large it is.
 struct Frame {
@@ -240,8 +248,7 @@ class Pipeline {
         if (prepared.coarse > 0)
             why += "; in " + std::to_string(prepared.coarse) + " of them the triangles turn too far from one to the next";
         warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.triangles_before) +
-             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + std::to_string(prepared.size) +
-             why);
+             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + length_text(prepared.size) + why);
         return true;
     }
 

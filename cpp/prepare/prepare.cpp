@@ -3,8 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 
+#include "mesh/area_vector.h"
 #include "prepare/assess.h"
 #include "prepare/line_nodes.h"
 #include "prepare/remesh.h"
@@ -27,6 +30,8 @@ constexpr double kSagittaAsked = 0.1;  ///< the same over the wanted size, where
 constexpr double kUncovered = 1.25;    ///< bound for the surface's points off the triangles, over that of the triangles off the surface
 constexpr double kMostTriangles = 6.0;   ///< that may be made of one, where no size is asked for
 constexpr double kFewTriangles = 2000.0;  ///< that may be made in any case
+constexpr double kMostOfWanted = 4.0;  ///< triangles over those that the sizes ask for, beyond which no edge is split
+constexpr double kPerLineEdge = 4.0;   ///< triangles that an edge of a line may ask for, however narrow the surface is
 constexpr double kAlongSource = 2.0;    ///< wanted length of merged edges over the largest size
 constexpr double kMostRefinement = 8.0;  ///< of the edges along a source
 constexpr double kWidthOverHeight = 1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
@@ -66,7 +71,7 @@ class Prepare {
             std::vector<char> zone = zone_of_patches();
             const RemeshResult r =
                 remesh_triangles(mesh_, zone, input_.reference,
-                                 {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_, .context = &context_});
+                                 {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_, .most_triangles = most_triangles(), .context = &context_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
         }
         follow_sources();
@@ -215,6 +220,24 @@ class Prepare {
                                                {deviation * diagonal, sagitta_, &*coverage_, is_source(chain)});
         }
         return changes;
+    }
+
+    /// A limit on work: between slivers that can neither be swapped nor collapsed, splits would go on and on.
+    std::int32_t most_triangles() const {
+        double wanted = 0.0;
+        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
+            const Face f(i);
+            if (mesh_.is_deleted(f)) continue;
+            double size = 0.0;
+            for (const HalfEdge h : mesh_.halfedges(f)) size += mesh_.info(mesh_.from(h)).size / 3.0;
+            // An equilateral triangle of that edge.
+            wanted += doubled_area_vector(mesh_, f).norm() / (0.5 * std::numbers::sqrt3 * size * size);
+        }
+        const std::vector<char> lines = line_edges();
+        wanted += kPerLineEdge * static_cast<double>(std::count(lines.begin(), lines.end(), 1));
+        const double most = kMostOfWanted * wanted + kFewTriangles;
+        constexpr auto kAny = std::numeric_limits<std::int32_t>::max();
+        return most < kAny ? static_cast<std::int32_t>(most) : kAny;
     }
 
     /// Nodes of the chosen patches, and of the lines round them.

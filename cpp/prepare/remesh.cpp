@@ -155,6 +155,7 @@ class Remesh {
         std::int32_t step = 0;
         for (const auto& [ratio, e] : edges) {
             breathe(options_, ++step);
+            if (mesh_.face_count() >= options_.most_triangles) return;
             if (!is_candidate(e) || mesh_.length(e) <= kLong * wanted(e)) continue;
             const HalfEdge h = M::halfedge(e);
             const Vertex v = split_covered_edge(mesh_, e, 0.5 * (at(mesh_.from(h)) + at(mesh_.to(h))), options_.coverage);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct RemeshOptions {
     double deviation = 4e-4;             ///< of triangles from the surface, over its diagonal
     std::span<const char> patches = {};  ///< per patch, nonzero where the triangles may be changed; empty: in all patches
     Coverage* coverage = nullptr;        ///< also guards the input against being left uncovered
+    std::int32_t most_triangles = std::numeric_limits<std::int32_t>::max();  ///< of the mesh: no edge is split beyond them
     const Context* context = nullptr;    ///< asked now and then whether to go on
 };
 
