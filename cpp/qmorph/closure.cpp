@@ -223,16 +223,27 @@ class Finish {
     }
 
     /// Moves the triangle of `door` through the quad behind it, so that it lies at the half-edge `exit` of that quad.
-    /// @returns false, and nothing changed, if either cut would double an edge
+    /// @param with_nodes puts a node into pentagons that no diagonal can cut
+    /// @returns false, and nothing changed, if that is not possible
     bool step(HalfEdge door, HalfEdge exit, bool with_nodes) {
-        // The pentagon: the triangle's apex, then the quad's nodes; it must not hold a node twice.
         const Vertex apex = mesh_.to(mesh_.next(door));
-        for (const HalfEdge h : mesh_.halfedges(mesh_.face(M::twin(door)))) {
-            if (mesh_.from(h) == apex) return false;
-        }
+        bool holds_a_node_twice = false;
+        for (const HalfEdge h : mesh_.halfedges(mesh_.face(M::twin(door)))) holds_a_node_twice |= mesh_.from(h) == apex;
+        if (holds_a_node_twice && !with_nodes) return false;
         const HalfEdge back = mesh_.next(door);
         const HalfEdge back_end = mesh_.prev(door);
+        // The pentagon: the triangle's apex, then the quad's nodes.
         dissolve_edge(mesh_, M::edge(door));
+        if (holds_a_node_twice) {
+            // As round the end of a line. The new node must not be joined to that node twice.
+            const std::array<Vertex, 5> nodes = pentagon(exit);
+            if (nodes[0] != nodes[3] && nodes[1] != nodes[3]) {
+                cut_with_node(exit);
+                return true;
+            }
+            insert_edge(mesh_, back, mesh_.next(back_end));
+            return false;
+        }
         // The triangle takes the exit and the edge after it, or the one before it.
         const HalfEdge after = mesh_.next(exit);
         const HalfEdge before = mesh_.prev(exit);
@@ -252,16 +263,21 @@ class Finish {
         return true;
     }
 
+    /// Nodes of the pentagon of `exit`, from its start.
+    std::array<Vertex, 5> pentagon(HalfEdge exit) const {
+        std::array<Vertex, 5> nodes;
+        for (Vertex& node : nodes) {
+            node = mesh_.from(exit);
+            exit = mesh_.next(exit);
+        }
+        return nodes;
+    }
+
     /// A triangle at the exit and two quads round a new node in the middle of the pentagon: all its edges are new.
     void cut_with_node(HalfEdge exit) {
-        std::array<Vertex, 5> nodes;
+        const std::array<Vertex, 5> nodes = pentagon(exit);
         Point centre = Point::Zero();
-        HalfEdge h = exit;
-        for (Vertex& node : nodes) {
-            node = mesh_.from(h);
-            centre += mesh_.position(node) / 5.0;
-            h = mesh_.next(h);
-        }
+        for (const Vertex node : nodes) centre += mesh_.position(node) / 5.0;
         const Vertex v = split_face(mesh_, mesh_.face(exit), centre);
         for (const std::size_t i : {2u, 4u}) dissolve_edge(mesh_, M::edge(mesh_.find_halfedge(v, nodes[i])));
     }
