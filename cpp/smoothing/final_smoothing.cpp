@@ -158,6 +158,7 @@ class FinalSmoother {
         }
         Star star;
         if (!star.gather(mesh_, v)) return false;
+        if (hint_[index(v)] < 0) hint_[index(v)] = hint_of_neighbour(v);
         star.see_along_surface(reference_, hint_[index(v)]);
         const Star::Quality now = star.quality(star.centre());
         const double worst = now.worst;
@@ -169,6 +170,16 @@ class FinalSmoother {
         if (!moved && worst >= Star::kPoor) return false;
         if (moved && (!star.gather(mesh_, v) || star.quality(star.centre()).worst >= Star::kPoor)) return moved;
         return optimise_node(mesh_, v, &reference_, &hint_[index(v)]) || moved;
+    }
+
+    /// A node that was visited before spares the search from the tree's root; the star of a node lies in its block, or no other
+    /// block runs, so that the facet is the same for any number of threads.
+    std::int32_t hint_of_neighbour(Vertex v) const {
+        for (const HalfEdge h : mesh_.outgoing(v)) {
+            const std::int32_t hint = hint_[index(mesh_.to(h))];
+            if (hint >= 0) return hint;
+        }
+        return -1;
     }
 
     /// Moves the node towards where its star scores best, see Star::Quality::score(). With the mean sine of all corners the mean
