@@ -113,12 +113,14 @@ class SurfaceMesh {
     bool is_constrained(Edge e) const { return info(e).line >= 0 || is_boundary(e); }
 
     // --- ranges: for (HalfEdge h : mesh.outgoing(v)) …
+    template <HalfEdge (SurfaceMesh::*Step)(HalfEdge) const>
     class Circulator;
+    template <HalfEdge (SurfaceMesh::*Step)(HalfEdge) const>
     class Range;
     /// Outgoing half-edges of the vertex, clockwise; the mesh must not change in between.
-    Range outgoing(Vertex v) const;
+    Range<&SurfaceMesh::rotated_cw> outgoing(Vertex v) const;
     /// Half-edges of the face in order.
-    Range halfedges(Face f) const;
+    Range<&SurfaceMesh::next> halfedges(Face f) const;
 
     // --- building blocks of the Euler operators (mesh/euler_operators.h); not for algorithms
     Vertex add_vertex(const Point& p);
@@ -168,14 +170,14 @@ class SurfaceMesh {
     std::vector<Face> free_faces_;
 };
 
-/// Forward iterator over a cycle of half-edges.
+/// Forward iterator over a cycle of half-edges. The step is known to the compiler, which makes a plain loop of it.
+template <HalfEdge (SurfaceMesh::*Step)(HalfEdge) const>
 class SurfaceMesh::Circulator {
   public:
-    using Step = HalfEdge (SurfaceMesh::*)(HalfEdge) const;
-    Circulator(const SurfaceMesh& mesh, HalfEdge h, Step step, bool begin) : mesh_(&mesh), h_(h), step_(step), begin_(begin) {}
+    Circulator(const SurfaceMesh& mesh, HalfEdge h, bool begin) : mesh_(&mesh), h_(h), begin_(begin) {}
     HalfEdge operator*() const { return h_; }
     Circulator& operator++() {
-        h_ = (mesh_->*step_)(h_);
+        h_ = (mesh_->*Step)(h_);
         begin_ = false;
         return *this;
     }
@@ -184,23 +186,22 @@ class SurfaceMesh::Circulator {
   private:
     const SurfaceMesh* mesh_;
     HalfEdge h_;
-    Step step_;
     bool begin_;
 };
 
+template <HalfEdge (SurfaceMesh::*Step)(HalfEdge) const>
 class SurfaceMesh::Range {
   public:
-    Range(const SurfaceMesh& mesh, HalfEdge h, Circulator::Step step) : mesh_(&mesh), h_(h), step_(step) {}
-    Circulator begin() const { return {*mesh_, h_, step_, h_.is_valid()}; }
-    Circulator end() const { return {*mesh_, h_, step_, false}; }
+    Range(const SurfaceMesh& mesh, HalfEdge h) : mesh_(&mesh), h_(h) {}
+    Circulator<Step> begin() const { return {*mesh_, h_, h_.is_valid()}; }
+    Circulator<Step> end() const { return {*mesh_, h_, false}; }
 
   private:
     const SurfaceMesh* mesh_;
     HalfEdge h_;
-    Circulator::Step step_;
 };
 
-inline SurfaceMesh::Range SurfaceMesh::outgoing(Vertex v) const { return {*this, halfedge(v), &SurfaceMesh::rotated_cw}; }
-inline SurfaceMesh::Range SurfaceMesh::halfedges(Face f) const { return {*this, halfedge(f), &SurfaceMesh::next}; }
+inline SurfaceMesh::Range<&SurfaceMesh::rotated_cw> SurfaceMesh::outgoing(Vertex v) const { return {*this, halfedge(v)}; }
+inline SurfaceMesh::Range<&SurfaceMesh::next> SurfaceMesh::halfedges(Face f) const { return {*this, halfedge(f)}; }
 
 }  // namespace anisoquad
