@@ -36,7 +36,8 @@ struct Options {
     std::vector<double> vertex_size;  ///< the same, one length per input vertex; empty: `size` everywhere
     double growth = 1.3;          ///< limit between the sizes of neighbouring elements where patches are remeshed
     double curvature_angle = 30.0;  ///< degrees that one edge may turn along the surface where patches are remeshed; 0: any
-    double row_growth = 1.2;    ///< limit of the height of a row over that of the row before
+    double row_growth = 1.2;    ///< limit of the height of a row over that of the row before; the last few, which lead
+                               ///< over to isotropic quads where a pass has no given number of rows, may grow by 1.6
     int smoothing_passes = 30;  ///< limit of sweeps of the final smoothing
     bool cleanup = true;        ///< topological clean-up after the fill
     int threads = 0;            ///< most threads that a run uses; 0: as many as there are cores. The mesh is the same for any number

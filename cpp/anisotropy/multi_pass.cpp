@@ -25,6 +25,10 @@ constexpr double kLaterHeight = 0.5;      // wanted height of later passes' rows
 constexpr double kFreeShare = 0.3;        // of the way to the next obstacle that the last pass leaves free
 constexpr double kFreeShareLater = 0.1;   // more for each later pass
 constexpr double kReserve = 3.0;          // heights that are left to each later pass
+constexpr int kMostClosing = 4;            // rows that lead over from the last pass to isotropic quads
+constexpr double kClosingGrowth = 1.6;     // of their height, from one to the next
+constexpr double kClosingOverEnds = 2.5;   // their height over that of the end columns
+constexpr double kClosedAspect = 1.6;      // width over height of the uppermost row that needs none of them
 constexpr double kFreeAhead = 1.0;        // free way ahead of the rows over the length of a merged edge
 constexpr double kColumnAtEnd = 1.0;      // least width of the merged end columns over the height of the uppermost row
 constexpr double kEvenDeviation = 1e-3;   // off the surface, over its diagonal, by swaps where a side has no rows
@@ -94,6 +98,7 @@ class MultiPass {
         for (std::size_t s = 0; s < sources_.size(); ++s) merge_source(s, p, merged);
         if (std::find(merged.begin(), merged.end(), 1) != merged.end())
             swap_towards_delaunay(mesh_, merged, reference_, {.deviation = kEvenDeviation});
+        close_rows(p);
         for (std::size_t i = 0; i < stacks_.size(); ++i) {
             const Pass* pass = pass_of(stacks_[i], p);
             if (!pass) continue;
@@ -132,6 +137,37 @@ class MultiPass {
                 } while (!stacks_[i].is_running && split(i, pass));
             }
         }
+    }
+
+    /// After a source's last pass: rows that get higher quickly until they are nearly as high as wide, where there is room for
+    /// them, so that the size of elements changes smoothly over the end of the rows (paper 3.2).
+    void close_rows(std::size_t p) {
+        for (RowStack& stack : stacks_)
+            stack.is_running = p + 1 == sources_[static_cast<std::size_t>(stack.source)].passes.size() && needs_closing(stack, p);
+        for (int step = 0; step < kMostClosing; ++step) {
+            for (RowStack& stack : stacks_) {
+                if (!stack.is_running) continue;
+                RowLimits limits = limits_of(stack, p);
+                limits.growth = std::max(options_.row_growth, kClosingGrowth);
+                limits.height_of_width = 1.0;
+                limits.over_ends = kClosingOverEnds;
+                const std::string stopped = stack.stopped;  // why the pass ended is what is told
+                stack.is_running = build_row(mesh_, stack, size_, reference_, limits) && needs_closing(stack, p);
+                stack.stopped = stopped;
+                context_.breathe();
+            }
+        }
+    }
+
+    bool needs_closing(const RowStack& stack, std::size_t p) const {
+        if (stack.rows() == 0 || pass_of(stack, p)->rows > 0) return false;
+        double width = 0.0;
+        double height = 0.0;
+        for (std::size_t i = 0; i < stack.columns(); ++i) {
+            width += (mesh_.position(stack.top()[i + 1]) - mesh_.position(stack.top()[i])).norm();
+            height += stack.height(mesh_, i);
+        }
+        return width > kClosedAspect * height;
     }
 
     RowLimits limits_of(const RowStack& stack, std::size_t p) const {

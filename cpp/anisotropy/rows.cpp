@@ -29,7 +29,6 @@ constexpr double kLeastQuality = 0.25;     // scaled Jacobian of a row quad
 constexpr double kLeastTriangle = 0.01;    // quality of the triangles round a node that is put into the row
 constexpr double kEvenOut = 0.15;          // share of a column's displacement along the row that one row takes back
 constexpr double kMostLean = 0.5;          // of a column for that, per height
-constexpr double kOverEnds = 1.25;         // height over that of the end columns, or the rows tilt
 constexpr double kFirstRow = 0.85;         // height of the first row over the local size: rows only get thicker
 constexpr double kLeastGrowthCapped = 1.015;
 constexpr double kLeastGrowth = 1.03;       // rows never get thinner away from the source
@@ -215,7 +214,7 @@ class RowBuilder {
         std::vector<double> low(columns_ + 1, 0.0);
         std::vector<double> high(columns_ + 1, 0.0);
         std::int32_t hint = -1;
-        const double cap = kOverEnds * smallest_end_height();
+        const double cap = limits_.over_ends * smallest_end_height();
         for (std::size_t i = 0; i <= columns_; ++i) {
             // The size where the row's middle will be, not where it starts.
             const double before = stack_.height(mesh_, i);

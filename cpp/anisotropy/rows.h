@@ -13,6 +13,7 @@ struct RowLimits {
     double free_share = 0.3;     ///< share of the way from the source to what lies ahead that stays free of rows
     double height_of_width = 0.0;  ///< least wanted height over the length of the front's edges, as far as the growth allows
     double growth = 1.2;         ///< most height over that of the row below
+    double over_ends = 1.25;     ///< most height over that of the end columns on lines, or the rows tilt
 };
 
 /// Builds one structured row of quads on the top of the stack, one quad per front edge: no seam, no wedge (paper 3.2).

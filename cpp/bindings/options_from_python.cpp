@@ -61,7 +61,8 @@ void bind_options(py::module_& module) {
         .add("vertex_size", &Options::vertex_size, "Wanted edge lengths, one per input vertex, instead of size")
         .add("growth", &Options::growth, "Limit between the sizes of neighbouring elements where patches are remeshed")
         .add("curvature_angle", &Options::curvature_angle, "Degrees that one edge may turn along the surface where patches are remeshed; 0: any")
-        .add("row_growth", &Options::row_growth, "Limit of the height of a row over that of the row before")
+        .add("row_growth", &Options::row_growth,
+             "Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6")
         .add("smoothing_passes", &Options::smoothing_passes, "Limit of sweeps of the final smoothing")
         .add("cleanup", &Options::cleanup, "Topological clean-up after the fill")
         .add("threads", &Options::threads, "Most threads that a run uses; 0: as many as there are cores. The mesh is the same for any number")

@@ -236,8 +236,8 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Grenze der Durchgänge der letzten Glättung</translation>
   </message>
   <message>
-   <source>Limit of the height of a row over that of the row before</source>
-   <translation>Grenze der Höhe einer Reihe gegenüber der vorigen</translation>
+   <source>Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6</source>
+   <translation>Grenze der Höhe einer Reihe gegenüber der vorigen; die letzten, die zu isotropen Vierecken überleiten, dürfen um 1,6 wachsen</translation>
   </message>
   <message>
    <source>Lines along which anisotropic rows are built</source>
@@ -411,8 +411,8 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>Grenze der Durchgänge der letzten Glättung</translation>
   </message>
   <message>
-   <source>Limit of the height of a row over that of the row before</source>
-   <translation>Grenze der Höhe einer Reihe gegenüber der vorigen</translation>
+   <source>Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6</source>
+   <translation>Grenze der Höhe einer Reihe gegenüber der vorigen; die letzten, die zu isotropen Vierecken überleiten, dürfen um 1,6 wachsen</translation>
   </message>
   <message>
    <source>Mend bad input instead of rejecting it; the report says what was changed</source>

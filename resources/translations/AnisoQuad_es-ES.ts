@@ -236,8 +236,8 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Límite de pasadas del suavizado final</translation>
   </message>
   <message>
-   <source>Limit of the height of a row over that of the row before</source>
-   <translation>Límite de la altura de una fila respecto a la anterior</translation>
+   <source>Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6</source>
+   <translation>Límite de la altura de una fila respecto a la anterior; las últimas, que llevan a cuadriláteros isótropos, pueden crecer 1,6 veces</translation>
   </message>
   <message>
    <source>Lines along which anisotropic rows are built</source>
@@ -411,8 +411,8 @@ con las fuentes que se le añadieron antes</translation>
    <translation>Límite de pasadas del suavizado final</translation>
   </message>
   <message>
-   <source>Limit of the height of a row over that of the row before</source>
-   <translation>Límite de la altura de una fila respecto a la anterior</translation>
+   <source>Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6</source>
+   <translation>Límite de la altura de una fila respecto a la anterior; las últimas, que llevan a cuadriláteros isótropos, pueden crecer 1,6 veces</translation>
   </message>
   <message>
    <source>Mend bad input instead of rejecting it; the report says what was changed</source>

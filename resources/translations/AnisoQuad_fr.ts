@@ -236,8 +236,8 @@ avec les sources ajoutées auparavant</translation>
    <translation>Limite des passes du lissage final</translation>
   </message>
   <message>
-   <source>Limit of the height of a row over that of the row before</source>
-   <translation>Limite de la hauteur d’une rangée par rapport à la précédente</translation>
+   <source>Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6</source>
+   <translation>Limite de la hauteur d’une rangée par rapport à la précédente ; les dernières, qui mènent aux quadrilatères isotropes, peuvent croître de 1,6</translation>
   </message>
   <message>
    <source>Lines along which anisotropic rows are built</source>
@@ -411,8 +411,8 @@ avec les sources ajoutées auparavant</translation>
    <translation>Limite des passes du lissage final</translation>
   </message>
   <message>
-   <source>Limit of the height of a row over that of the row before</source>
-   <translation>Limite de la hauteur d’une rangée par rapport à la précédente</translation>
+   <source>Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6</source>
+   <translation>Limite de la hauteur d’une rangée par rapport à la précédente ; les dernières, qui mènent aux quadrilatères isotropes, peuvent croître de 1,6</translation>
   </message>
   <message>
    <source>Mend bad input instead of rejecting it; the report says what was changed</source>

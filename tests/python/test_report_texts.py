@@ -20,7 +20,7 @@ def literals(path, call):
     """The texts that are put together in the calls of a function of a C++ file, as (text with {} for what is no literal)."""
     source = (CORE / path).read_text(encoding="utf-8")
     for arguments in re.findall(call + r"((?:[^;\"]|\"[^\"]*\")*);", source):
-        pieces = re.findall(r'"([^"]*)"|(std::to_string)', arguments)
+        pieces = re.findall(r'"([^"]*)"|(std::to_string|length_text)', arguments)
         yield "".join("{}" if number else text for text, number in pieces)
 
 

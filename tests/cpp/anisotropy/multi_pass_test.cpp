@@ -6,6 +6,7 @@
 #include <array>
 #include <numbers>
 
+#include "mesh/area_vector.h"
 #include "mesh/arrays.h"
 #include "stages.h"
 
@@ -159,6 +160,27 @@ TEST(MultiPass, AsManyRowsAsFitLeaveRoomForThePassThatFollows) {
         EXPECT_GE(p.mesh.length(base), 8.0 - 1e-9);
         EXPECT_GT(aspect(p.mesh, base), 6.0);
     }
+}
+
+/// The growth is limited to that of the local size, but for the rows that lead over to isotropic quads.
+TEST(MultiPass, TheLastRowsLeadOverToSquares) {
+    const std::int32_t first = middle().front();
+    const auto vertices = path(first + 20, first + kNx - 20, 1);
+    for (const int ratio : {3, 4}) {
+        Built p(shapes::grid(kNx, kNy), {source(vertices, {{ratio, 0}})});
+        expect_rows(p);
+        for (const bool left : {true, false}) {
+            const auto quads = column(p.mesh, base_at(p.mesh, Point(kNx / 2.0, kNy / 2.0, 0.0), left));
+            ASSERT_GT(quads.size(), 2u);
+            std::vector<double> area;
+            for (const Face f : quads) area.push_back(0.5 * doubled_area_vector_of_quad(p.mesh, f).norm());
+            EXPECT_LT(ratio * ratio / area.back(), 2.2);  // a square over the merged edge
+            for (std::size_t j = 1; j < area.size(); ++j) EXPECT_LT(area[j] / area[j - 1], 1.65);
+        }
+    }
+    // A number of rows that was asked for is kept.
+    Built asked(shapes::grid(kNx, kNy), {source(vertices, {{4, 3}})});
+    EXPECT_EQ(column(asked.mesh, base_at(asked.mesh, Point(kNx / 2.0, kNy / 2.0, 0.0), true)).size(), 3u);
 }
 
 TEST(MultiPass, StagesAreObservedAndReported) {
