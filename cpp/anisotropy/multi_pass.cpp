@@ -28,6 +28,7 @@ constexpr double kReserve = 3.0;          // heights that are left to each later
 constexpr int kMostClosing = 4;            // rows that lead over from the last pass to isotropic quads
 constexpr double kClosingGrowth = 1.6;     // of their height, from one to the next
 constexpr double kClosingOverEnds = 2.5;   // their height over that of the end columns
+constexpr double kFreeClosing = 0.35;       // of the way to the next obstacle that they leave free: isotropic quads need it more
 constexpr double kClosedAspect = 1.6;      // width over height of the uppermost row that needs none of them
 constexpr double kFreeAhead = 1.0;        // free way ahead of the rows over the length of a merged edge
 constexpr double kColumnAtEnd = 1.0;      // least width of the merged end columns over the height of the uppermost row
@@ -151,6 +152,7 @@ class MultiPass {
                 limits.growth = std::max(options_.row_growth, kClosingGrowth);
                 limits.height_of_width = 1.0;
                 limits.over_ends = kClosingOverEnds;
+                limits.free_share = kFreeClosing;
                 const std::string stopped = stack.stopped;  // why the pass ended is what is told
                 stack.is_running = build_row(mesh_, stack, size_, reference_, limits) && needs_closing(stack, p);
                 stack.stopped = stopped;
