@@ -70,7 +70,7 @@ class FeatureFinder {
             }
             const auto& n = normals[static_cast<std::size_t>(mesh_.face(M::halfedge(e, 0)).index())];
             const auto& m = normals[static_cast<std::size_t>(mesh_.face(M::halfedge(e, 1)).index())];
-            kind(e).constrained = n.dot(m) < flattest;
+            kind(e).constrained = std::max(-1.0, n.dot(m)) < flattest;  // rounding makes no turn of more than 180 degrees
         }
         for (const auto& [a, b] : ridges_) {
             EdgeKind& k = kind(mesh_.find_halfedge(Vertex(a), Vertex(b)));

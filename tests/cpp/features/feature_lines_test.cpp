@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "shapes.h"
@@ -104,6 +105,22 @@ TEST(FeatureLines, TheAngleDecides) {
         EXPECT_EQ(constrained_edges(mesh), 16 + (ridge ? 4 : 0));
         find_features(mesh, {}, options);
         EXPECT_EQ(constrained_edges(mesh), 16);  // what was found before is forgotten
+    }
+}
+
+TEST(FeatureLines, NoFoldTurnsByMoreThan180Degrees) {
+    Options options;
+    options.feature_angle = 180.0;
+    for (int i = 0; i < 100; ++i) {  // rounding takes the product of some of the normals below -1
+        const Eigen::AngleAxisd turn(0.1 * i, Point(1.0, 0.3 * i, 2.0).normalized());
+        shapes::Shape fold;
+        for (const Point& p : {Point(0.0, 0.0, 0.0), Point(1.0, 0.0, 0.0), Point(0.3, 1.0, 0.0), Point(0.6, 0.7, 0.0)}) {
+            fold.points.push_back(turn * p);
+        }
+        fold.triangles = {{0, 1, 2}, {1, 0, 3}};
+        SurfaceMesh mesh = fold.mesh();
+        find_features(mesh, {}, options);
+        EXPECT_EQ(constrained_edges(mesh), 4) << "turn " << i;
     }
 }
 
