@@ -23,9 +23,9 @@ enum class ErrorCode {
     invalid_option,
     cancelled,
     not_meshable,
-    invalid_shape,     ///< CAD: null, empty, broken or unreadable
-    shape_mismatch,    ///< CAD: shape and mesh do not belong together
-    face_not_meshable, ///< CAD: no triangles can be made on a face
+    invalid_shape,      ///< CAD: null, empty, broken or unreadable
+    shape_mismatch,     ///< CAD: shape and mesh do not belong together
+    face_not_meshable,  ///< CAD: no triangles can be made on a face
 };
 
 /// Which elements of the input the ids of an error count. Ids of CAD faces and edges are from 0: Face1 is 0.

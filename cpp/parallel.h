@@ -57,7 +57,8 @@ void for_each(std::int32_t n, const Context& context, Function f) {
 template <class Value, class Function, class Combine>
 Value reduce_blocks(std::int32_t n, Value start, Function f, Combine combine) {
     std::vector<Value> parts(static_cast<std::size_t>((n + kBlock - 1) / kBlock), start);
-    for_blocks(n, [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
+    for_blocks(n,
+               [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
     for (const Value& part : parts) start = combine(start, part);
     return start;
 }
@@ -66,7 +67,8 @@ Value reduce_blocks(std::int32_t n, Value start, Function f, Combine combine) {
 template <class Value, class Function, class Combine>
 Value reduce_blocks(std::int32_t n, const Context& context, Value start, Function f, Combine combine) {
     std::vector<Value> parts(static_cast<std::size_t>((n + kBlock - 1) / kBlock), start);
-    for_blocks(n, context, [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
+    for_blocks(n, context,
+               [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
     for (const Value& part : parts) start = combine(start, part);
     return start;
 }

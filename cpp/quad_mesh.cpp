@@ -71,7 +71,12 @@ class Pipeline {
   public:
     Pipeline(std::span<const Point> points, Triangles triangles, std::span<const Source> sources, const Options& options,
              Context& context, const TargetSurface* target = nullptr)
-        : points_(points), triangles_(triangles), sources_(sources.begin(), sources.end()), options_(options), context_(context), target_(target) {}
+        : points_(points),
+          triangles_(triangles),
+          sources_(sources.begin(), sources.end()),
+          options_(options),
+          context_(context),
+          target_(target) {}
 
     QuadMeshResult run() {
         begin("check", 0.0, 0.02);
@@ -82,7 +87,8 @@ class Pipeline {
         if (!target_) put_triangles_in_order();
         context_.breathe();
         unit_points_.reserve(points_.size());
-        for (std::size_t i = 0; i < points_.size(); ++i) unit_points_.push_back(frame.in(points_[at(input_vertex(static_cast<std::int32_t>(i)))]));
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            unit_points_.push_back(frame.in(points_[at(input_vertex(static_cast<std::int32_t>(i)))]));
         context_.report(0.5);
         mesh_ = from_arrays(unit_points_, triangles_, context_);
         context_.breathe();
@@ -248,7 +254,8 @@ class Pipeline {
         if (prepared.coarse > 0)
             why += "; in " + std::to_string(prepared.coarse) + " of them the triangles turn too far from one to the next";
         warn(std::to_string(prepared.patches) + " patches were remeshed before: " + std::to_string(prepared.triangles_before) +
-             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + length_text(prepared.size) + why);
+             " triangles became " + std::to_string(prepared.triangles_after) + ", edges up to " + length_text(prepared.size) +
+             why);
         return true;
     }
 
@@ -279,8 +286,8 @@ class Pipeline {
         blend_ahead_of_rows(mesh_, reference, context_);
     }
 
-    /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn as long
-    /// as that helps.
+    /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn as
+    /// long as that helps.
     void smooth_and_repair(const ReferenceSurface& reference, const ReferenceLines& lines) {
         int inverted = mesh_.face_slots();
         for (int round = 0;; ++round) {
@@ -294,7 +301,8 @@ class Pipeline {
     /// What slid along the input's lines in the smoothing is brought onto the target once more.
     void settle_on_target(const ReferenceSurface& reference, const ReferenceLines& lines) {
         const OntoTargetResult result = move_onto_target(mesh_, reference, lines);
-        if (result.inverted > 0) warn(std::to_string(result.inverted) + " quads are turned over by the surface to which they were brought");
+        if (result.inverted > 0)
+            warn(std::to_string(result.inverted) + " quads are turned over by the surface to which they were brought");
     }
 
     /// For each quad and line edge the input's element near its middle.
@@ -399,7 +407,9 @@ QuadMeshResult mesh_repaired(std::span<const Point> points, Triangles triangles,
 QuadMeshResult quad_mesh(std::span<const Point> points, Triangles triangles, std::span<const Source> sources,
                          const Options& options, Context& context, const TargetSurface* target) {
     // The target knows the triangles by their ids, which a repair changes.
-    if (options.repair && target) throw Error(ErrorCode::invalid_option, "The triangles of a CAD shape can't be repaired: mend the shape, or mesh without it.");
+    if (options.repair && target)
+        throw Error(ErrorCode::invalid_option,
+                    "The triangles of a CAD shape can't be repaired: mend the shape, or mesh without it.");
     check_options(options, points.size());
     return with_threads(options.threads, [&] {
         if (options.repair) return mesh_repaired(points, triangles, sources, options, context);

@@ -12,7 +12,7 @@ namespace {
 
 using M = SurfaceMesh;
 constexpr double kFallOff = 0.64;  // of the raised size per unit of way
-constexpr double kGrowth = 0.5;   // of the size away from lines, whose nodes are fixed
+constexpr double kGrowth = 0.5;    // of the size away from lines, whose nodes are fixed
 
 struct Raised {
     double size;
@@ -26,7 +26,8 @@ void limit_near_lines(SurfaceMesh& mesh, const std::vector<char>& zone) {
     std::priority_queue<Raised, std::vector<Raised>, decltype(smaller)> queue(smaller);
     for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
         const Vertex v(i);
-        if (mesh.is_deleted(v) || mesh.info(v).kind == NodeKind::interior || !(mesh.info(v).size > 0.0) || mesh.info(v).in_row) continue;
+        if (mesh.is_deleted(v) || mesh.info(v).kind == NodeKind::interior || !(mesh.info(v).size > 0.0) || mesh.info(v).in_row)
+            continue;
         queue.push({mesh.info(v).size, v});
     }
     while (!queue.empty()) {

@@ -49,7 +49,8 @@ TraceEnd trace_geodesic(const SurfaceMesh& mesh, HalfEdge in, double angle, doub
             end.position = p;
             end.length = way;
             end.blocked = true;
-            end.incidence = direction.cross(mesh.position(mesh.to(exit)) - mesh.position(mesh.from(exit))).norm() / mesh.length(exit);
+            end.incidence =
+                direction.cross(mesh.position(mesh.to(exit)) - mesh.position(mesh.from(exit))).norm() / mesh.length(exit);
             return end;
         }
         const HalfEdge e = M::twin(exit);

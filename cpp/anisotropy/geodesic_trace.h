@@ -6,11 +6,11 @@ namespace anisoquad {
 
 /// Where a straightest line over the unmeshed triangles ends.
 struct TraceEnd {
-    Face face;             ///< triangle in which the line ends
+    Face face;  ///< triangle in which the line ends
     Point position = Point::Zero();
-    double length = 0.0;   ///< way made
+    double length = 0.0;     ///< way made
     double incidence = 0.0;  ///< sine of the angle between the line and the edge that blocks it
-    bool blocked = false;  ///< it met a front or constrained edge, the end of the surface, before its length was used up
+    bool blocked = false;    ///< it met a front or constrained edge, the end of the surface, before its length was used up
 };
 
 /// Follows the straightest line that leaves a front node into the sector before it, unfolding triangle after triangle.

@@ -6,8 +6,7 @@
 
 namespace anisoquad {
 
-LocalSize::LocalSize(std::span<const Point> points,
-                     std::span<const std::array<std::int32_t, 3>> triangles,
+LocalSize::LocalSize(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
                      const ReferenceSurface& reference)
     : reference_(reference), facet_size_(triangles.size()) {
     for (std::size_t f = 0; f < triangles.size(); ++f) {
@@ -30,7 +29,8 @@ LocalSize::LocalSize(std::span<const Point> points,
         }
         for (std::size_t f = 0; f < triangles.size(); ++f) {
             double mean = 0.0;
-            for (const std::int32_t v : triangles[f]) mean += sum[static_cast<std::size_t>(v)] / count[static_cast<std::size_t>(v)];
+            for (const std::int32_t v : triangles[f])
+                mean += sum[static_cast<std::size_t>(v)] / count[static_cast<std::size_t>(v)];
             facet_size_[f] = mean / 3.0;
         }
     }

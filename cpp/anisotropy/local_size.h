@@ -11,7 +11,8 @@ namespace anisoquad {
 /// Edge length of the input triangles near a point, smoothed over neighbouring facets: the height that a row should have there.
 class LocalSize {
   public:
-    LocalSize(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, const ReferenceSurface& reference);
+    LocalSize(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+              const ReferenceSurface& reference);
 
     /// @param hint facet near p or -1, updated
     double operator()(const Point& p, std::int32_t& hint) const;

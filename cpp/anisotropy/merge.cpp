@@ -55,7 +55,9 @@ bool loosen(SurfaceMesh& mesh, Vertex node, Vertex neighbour) {
     for (const HalfEdge out : mesh.outgoing(node)) {
         const Vertex w = mesh.to(out);
         if (w == neighbour || !mesh.find_halfedge(w, neighbour).is_valid()) continue;
-        const auto beside = [&](HalfEdge side) { return !mesh.is_boundary(side) && mesh.is_triangle(mesh.face(side)) && mesh.to(mesh.next(side)) == w; };
+        const auto beside = [&](HalfEdge side) {
+            return !mesh.is_boundary(side) && mesh.is_triangle(mesh.face(side)) && mesh.to(mesh.next(side)) == w;
+        };
         if (beside(h) || beside(M::twin(h)) || mesh.is_constrained(M::edge(out))) continue;
         if (mesh.is_triangle(mesh.face(out)) && mesh.is_triangle(mesh.face(M::twin(out)))) tight.push_back(M::edge(out));
     }

@@ -23,7 +23,8 @@ std::vector<int> segment_open(int edges, int ratio, RampStart start) {
     for (int k = ratio - 1; k >= start.back; --k) segments.push_back(k);
     if (rest == 0 || !in_ramp) return segments;
     const auto fits = [&](int k) { return k >= rest; };
-    const auto place = rest >= start.back ? std::find_if(segments.rbegin(), segments.rend(), fits).base() : std::find_if(segments.begin(), segments.end(), fits);
+    const auto place = rest >= start.back ? std::find_if(segments.rbegin(), segments.rend(), fits).base()
+                                          : std::find_if(segments.begin(), segments.end(), fits);
     segments.insert(place, rest);
     return segments;
 }

@@ -8,7 +8,8 @@ namespace anisoquad {
 namespace {
 
 /// Cuts the nodes of one side where the front does not run on along the source, and drops what is no front.
-void append_stacks(const SurfaceMesh& mesh, const std::vector<Vertex>& nodes, std::int32_t source, bool left, std::vector<RowStack>& stacks) {
+void append_stacks(const SurfaceMesh& mesh, const std::vector<Vertex>& nodes, std::int32_t source, bool left,
+                   std::vector<RowStack>& stacks) {
     const auto front = [&](std::size_t i) {
         const HalfEdge h = mesh.find_halfedge(nodes[i], nodes[i + 1]);
         return h.is_valid() && is_front(mesh, h) ? h : HalfEdge();
@@ -18,7 +19,8 @@ void append_stacks(const SurfaceMesh& mesh, const std::vector<Vertex>& nodes, st
     const std::size_t first = stacks.size();
     for (std::size_t i = 0; i < n; ++i) {
         if (!front(i).is_valid()) continue;
-        const bool continued = stacks.size() > first && stacks.back().layers[0].back() == nodes[i] && front(i - 1).is_valid() && runs_on(i - 1, i);
+        const bool continued =
+            stacks.size() > first && stacks.back().layers[0].back() == nodes[i] && front(i - 1).is_valid() && runs_on(i - 1, i);
         if (!continued) {
             RowStack stack;
             stack.source = source;

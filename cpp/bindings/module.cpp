@@ -83,5 +83,6 @@ PYBIND11_MODULE(_core, module) {
     py::class_<TargetSurface, std::shared_ptr<TargetSurface>>(
         module, "TargetSurface", "The surface behind the triangles, onto which nodes are brought; see anisoquad.cad.");
     module.def("quad_mesh", &mesh, py::arg("points").noconvert(), py::arg("triangles").noconvert(), py::arg("sources"),
-               py::arg("options"), py::arg("progress"), py::arg("target") = nullptr, "See anisoquad.quad_mesh. Returns the fields of QuadMesh as a dict.");
+               py::arg("options"), py::arg("progress"), py::arg("target") = nullptr,
+               "See anisoquad.quad_mesh. Returns the fields of QuadMesh as a dict.");
 }

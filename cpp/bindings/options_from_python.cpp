@@ -56,16 +56,20 @@ void bind_options(py::module_& module) {
         .add("feature_angle", &Options::feature_angle, "Degrees; edges whose facets turn by more are feature lines")
         .add("feature_edges", &Options::feature_edges, "Further feature edges, as pairs of input vertex ids")
         .add("repair", &Options::repair, "Mend bad input instead of rejecting it; the report says what was changed")
-        .add("prepare", &Options::prepare, "Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded")
+        .add("prepare", &Options::prepare,
+             "Remesh patches first whose triangles can't hold quads: too long and thin, or too steeply graded")
         .add("size", &Options::size, "Wanted edge length of the quads; remeshes all patches. 0: that of the triangles")
         .add("vertex_size", &Options::vertex_size, "Wanted edge lengths, one per input vertex, instead of size")
         .add("growth", &Options::growth, "Limit between the sizes of neighbouring elements where patches are remeshed")
-        .add("curvature_angle", &Options::curvature_angle, "Degrees that one edge may turn along the surface where patches are remeshed; 0: any")
+        .add("curvature_angle", &Options::curvature_angle,
+             "Degrees that one edge may turn along the surface where patches are remeshed; 0: any")
         .add("row_growth", &Options::row_growth,
-             "Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may grow by 1.6")
+             "Limit of the height of a row over that of the row before; the last few, which lead over to isotropic quads, may "
+             "grow by 1.6")
         .add("smoothing_passes", &Options::smoothing_passes, "Limit of sweeps of the final smoothing")
         .add("cleanup", &Options::cleanup, "Topological clean-up after the fill")
-        .add("threads", &Options::threads, "Most threads that a run uses; 0: as many as there are cores. The mesh is the same for any number")
+        .add("threads", &Options::threads,
+             "Most threads that a run uses; 0: as many as there are cores. The mesh is the same for any number")
         .add("validate", &Options::validate, "Check the invariants of the mesh after every stage")
         .add("record_stages", &Options::record_stages, "Keep a copy of the mesh after every rows and merge step")
         .finish();

@@ -27,8 +27,8 @@ py::dict to_dict(const StageTime& t) { return py::dict("stage"_a = t.stage, "sec
 py::dict to_dict(const RepairReport& r) {
     return py::dict("out_of_range_facets"_a = r.out_of_range_facets, "non_finite_facets"_a = r.non_finite_facets,
                     "degenerate_facets"_a = r.degenerate_facets, "duplicate_facets"_a = r.duplicate_facets,
-                    "welded_vertices"_a = r.welded_vertices, "cut_edges"_a = r.cut_edges,
-                    "flipped_facets"_a = r.flipped_facets, "new_vertices"_a = r.new_vertices);
+                    "welded_vertices"_a = r.welded_vertices, "cut_edges"_a = r.cut_edges, "flipped_facets"_a = r.flipped_facets,
+                    "new_vertices"_a = r.new_vertices);
 }
 
 template <class Item>

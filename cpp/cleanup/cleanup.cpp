@@ -23,15 +23,15 @@ constexpr std::size_t kTriesPerNode = 3;  ///< replacements tried per irregular 
 constexpr std::size_t kLeastTries = 200;
 constexpr std::size_t kWorkPerQuad = 60;  ///< quads that are judged in all tries together, per quad of the mesh
 constexpr std::size_t kLeastWork = 2000;
-constexpr std::size_t kTriesPerPoor = 50;    ///< the same for the repair of poor quads
+constexpr std::size_t kTriesPerPoor = 50;  ///< the same for the repair of poor quads
 constexpr std::size_t kWorkPerPoor = 1000;
 constexpr std::size_t kMostPoor = 40;  ///< quads for which there are such tries: a mesh with more is hopeless for other reasons
-constexpr double kPoor = 0.25;  ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
+constexpr double kPoor = 0.25;         ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
-constexpr double kFar = 1.2e-3;     ///< distance from the surface, over its diagonal, of quads that are repaired
-constexpr double kBent = 0.9;      ///< cosine of the turn to a neighbour below which quads may be far
+constexpr double kFar = 1.2e-3;  ///< distance from the surface, over its diagonal, of quads that are repaired
+constexpr double kBent = 0.9;    ///< cosine of the turn to a neighbour below which quads may be far
 constexpr Trial::Demands kBringNearer{-12, 0.25, 0.0, 6.0, 0.7};
 constexpr int kRepairRounds = 3;
 
@@ -108,8 +108,8 @@ class Cleaner {
         return replaced;
     }
 
-    /// Poor quads, with what does not make the mesh more irregular; unusable ones with what does too. Each has tries of its own, so
-    /// that what is hopeless in one place takes nothing from the others.
+    /// Poor quads, with what does not make the mesh more irregular; unusable ones with what does too. Each has tries of its own,
+    /// so that what is hopeless in one place takes nothing from the others.
     void repair() {
         std::size_t poor = 0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
@@ -275,10 +275,10 @@ class Cleaner {
     RegionGrowth growth_;
     std::queue<Vertex> queue_;
     std::vector<char> queued_;
-    std::vector<std::int32_t> changed_;  ///< per node: number of the last operation near it
-    std::vector<std::int32_t> repaired_;        ///< per face: number of the last operation when its repair was last tried, −1 = never
+    std::vector<std::int32_t> changed_;   ///< per node: number of the last operation near it
+    std::vector<std::int32_t> repaired_;  ///< per face: number of the last operation when its repair was last tried, −1 = never
     std::vector<std::int32_t> brought_nearer_;  ///< the same for bring_nearer()
-    std::int32_t last_round_ = 0;        ///< number of the operation before the last round
+    std::int32_t last_round_ = 0;               ///< number of the operation before the last round
     std::size_t most_tries_ = 0;
     std::size_t most_work_ = 0;
     std::vector<Proposal> proposals_;

@@ -8,7 +8,8 @@ namespace {
 using M = SurfaceMesh;
 
 /// The quads again, smaller, inside of their outline, and a ring of quads round them.
-void propose_inset_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& outline, std::vector<Face> faces, std::vector<Proposal>& out) {
+void propose_inset_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& outline, std::vector<Face> faces,
+                      std::vector<Proposal>& out) {
     Proposal& p = out.emplace_back();
     Point middle = Point::Zero();
     for (const HalfEdge h : outline) middle += mesh.position(mesh.from(h)) / static_cast<double>(outline.size());

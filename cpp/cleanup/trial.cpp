@@ -13,15 +13,16 @@ namespace {
 
 using M = SurfaceMesh;
 
-constexpr int kMostEdges = 16;          ///< of a node that is optimised: the hub of a fan would cost more than all else together
-constexpr int kMeanSweeps = 10;         ///< plain averaging of the new nodes, which untangles convex outlines
-constexpr int kSweeps = 3;              ///< guarded
-constexpr double kPoor = 0.7;           ///< scaled Jacobian below which a node's place is optimised
-constexpr double kBad = 0.25;           ///< scaled Jacobian
-constexpr double kUseless = 0.05;       ///< scaled Jacobian
-constexpr double kAnyAspect = 20.0;     ///< for the repair of what is useless
-constexpr double kAspectOfSlivers = 1e6;  ///< for the repair of what is inverted: between lines that meet at a small angle all is slim
-constexpr double kMadeUseful = 0.01;   ///< gain of the scaled Jacobian that counts as repair where it was useless
+constexpr int kMostEdges = 16;       ///< of a node that is optimised: the hub of a fan would cost more than all else together
+constexpr int kMeanSweeps = 10;      ///< plain averaging of the new nodes, which untangles convex outlines
+constexpr int kSweeps = 3;           ///< guarded
+constexpr double kPoor = 0.7;        ///< scaled Jacobian below which a node's place is optimised
+constexpr double kBad = 0.25;        ///< scaled Jacobian
+constexpr double kUseless = 0.05;    ///< scaled Jacobian
+constexpr double kAnyAspect = 20.0;  ///< for the repair of what is useless
+constexpr double kAspectOfSlivers =
+    1e6;  ///< for the repair of what is inverted: between lines that meet at a small angle all is slim
+constexpr double kMadeUseful = 0.01;    ///< gain of the scaled Jacobian that counts as repair where it was useless
 constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
 constexpr double kMoreAspect = 1.5;     ///< for a repair
 constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
@@ -90,7 +91,8 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
     if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
     if (after.worst < std::min(before.worst, demands.bound)) return false;
     if (demands.nearer < 1.0)
-        return after.distance <= demands.nearer * before.distance && after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
+        return after.distance <= demands.nearer * before.distance &&
+               after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
     // One of several useless elements may be mended before the others.
     // The count comes first: either alone would let two changes undo each other for ever.
     const bool fewer_useless =

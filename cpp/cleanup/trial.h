@@ -12,9 +12,9 @@ namespace anisoquad {
 class Trial {
   public:
     struct Demands {
-        int gain = 1;              ///< least fall of the irregularity
-        double bound = 0.4;        ///< scaled Jacobian: the worst element may fall to it
-        double improvement = 0.0;  ///< > 0: the worst element must get better by this, or those that are useless in sum
+        int gain = 1;               ///< least fall of the irregularity
+        double bound = 0.4;         ///< scaled Jacobian: the worst element may fall to it
+        double improvement = 0.0;   ///< > 0: the worst element must get better by this, or those that are useless in sum
         double count_change = 2.0;  ///< quads that may come or go in any case
         double nearer = 1.0;        ///< < 1: the distance from the surface must fall to this share of what it was
     };

@@ -7,7 +7,8 @@ namespace anisoquad {
 
 namespace {
 
-constexpr std::size_t kMostSpokes = 10;  ///< of a node that is split in all ways; the hub of a fan is only halved, or the proposals' cost is cubic
+constexpr std::size_t kMostSpokes =
+    10;  ///< of a node that is split in all ways; the hub of a fan is only halved, or the proposals' cost is cubic
 
 }  // namespace
 

@@ -22,7 +22,11 @@ class FeatureFinder {
   public:
     FeatureFinder(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options,
                   std::span<const std::array<std::int32_t, 2>> ridges)
-        : mesh_(mesh), sources_(sources), options_(options), ridges_(ridges), edges_(static_cast<std::size_t>(mesh.edge_slots())) {}
+        : mesh_(mesh),
+          sources_(sources),
+          options_(options),
+          ridges_(ridges),
+          edges_(static_cast<std::size_t>(mesh.edge_slots())) {}
 
     std::vector<FeatureLine> run() {
         reset();
@@ -58,7 +62,8 @@ class FeatureFinder {
     void mark_edges() {
         std::vector<Eigen::Vector3d> normals(static_cast<std::size_t>(mesh_.face_slots()));
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
-            if (!mesh_.is_deleted(Face(i))) normals[static_cast<std::size_t>(i)] = doubled_area_vector(mesh_, Face(i)).normalized();
+            if (!mesh_.is_deleted(Face(i)))
+                normals[static_cast<std::size_t>(i)] = doubled_area_vector(mesh_, Face(i)).normalized();
         }
         const double flattest = std::cos(options_.feature_angle * std::numbers::pi / 180.0);
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {

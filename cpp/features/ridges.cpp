@@ -13,11 +13,11 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-constexpr int kMostFacets = 200;        ///< crossed on the way to one side
-constexpr double kStraight = 0.5;       ///< least cosine between neighbouring edges of a ridge
-constexpr double kImbalance = 0.7;      ///< largest difference of the two sides' turns, over their sum
-constexpr double kGoingOn = 0.35;       ///< of the angle at which a ridge begins: where it may go on
-constexpr double kLeastLength = 2.0;    ///< of a ridge over the width
+constexpr int kMostFacets = 200;      ///< crossed on the way to one side
+constexpr double kStraight = 0.5;     ///< least cosine between neighbouring edges of a ridge
+constexpr double kImbalance = 0.7;    ///< largest difference of the two sides' turns, over their sum
+constexpr double kGoingOn = 0.35;     ///< of the angle at which a ridge begins: where it may go on
+constexpr double kLeastLength = 2.0;  ///< of a ridge over the width
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -134,7 +134,8 @@ class RidgeFinder {
     }
 
     void keep(const std::vector<HalfEdge>& chain, std::size_t first) {
-        for (std::size_t i = first; i < chain.size(); ++i) ridges_.edges.push_back({mesh_.from(chain[i]).index(), mesh_.to(chain[i]).index()});
+        for (std::size_t i = first; i < chain.size(); ++i)
+            ridges_.edges.push_back({mesh_.from(chain[i]).index(), mesh_.to(chain[i]).index()});
     }
 
     bool is_on_line(Vertex v) const {
@@ -204,7 +205,7 @@ class RidgeFinder {
     std::span<const char> patches_;
     const RidgeOptions& options_;
     std::vector<Fold> folds_;
-    std::vector<char> used_;            ///< per vertex: on a ridge or so close to one that no other begins or goes on there
+    std::vector<char> used_;             ///< per vertex: on a ridge or so close to one that no other begins or goes on there
     std::vector<std::int32_t> reached_;  ///< per vertex: last edge whose surroundings it was found in
     std::int32_t now_ = 0;
     Ridges ridges_;

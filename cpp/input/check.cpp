@@ -304,11 +304,12 @@ void check_options(const Options& options, std::size_t points) {
         invalid_option("The feature angle must be above 0 and at most 180 degrees.");
     }
     if (!(options.row_growth >= 1.0 && std::isfinite(options.row_growth))) invalid_option("The row growth must be 1 or more.");
-    if (!(options.size >= 0.0 && std::isfinite(options.size))) invalid_option("The size must be 0 (that of the triangles) or a length.");
+    if (!(options.size >= 0.0 && std::isfinite(options.size)))
+        invalid_option("The size must be 0 (that of the triangles) or a length.");
     const auto is_length = [](double size) { return size > 0.0 && std::isfinite(size); };
     if (!options.vertex_size.empty() && options.vertex_size.size() != points) {
-        invalid_option("There must be one size per vertex: " + std::to_string(options.vertex_size.size()) + " sizes were given for " +
-                       std::to_string(points) + " vertices.");
+        invalid_option("There must be one size per vertex: " + std::to_string(options.vertex_size.size()) +
+                       " sizes were given for " + std::to_string(points) + " vertices.");
     }
     if (!std::all_of(options.vertex_size.begin(), options.vertex_size.end(), is_length)) {
         invalid_option("The sizes per vertex must be lengths above 0.");
@@ -326,7 +327,8 @@ void check_feature_edges(const SurfaceMesh& mesh, std::span<const std::array<std
     std::vector<std::int32_t> ids;
     for (const auto& [a, b] : edges) {
         const auto exists = [&](std::int32_t v) { return v >= 0 && v < mesh.vertex_slots(); };
-        if (!exists(a) || !exists(b) || !mesh.find_halfedge(mesh_vertex(a, rank), mesh_vertex(b, rank)).is_valid()) ids.insert(ids.end(), {a, b});
+        if (!exists(a) || !exists(b) || !mesh.find_halfedge(mesh_vertex(a, rank), mesh_vertex(b, rank)).is_valid())
+            ids.insert(ids.end(), {a, b});
     }
     const std::string wrong = count(ids.size() / 2, "feature edge is", "feature edges are");
     reject(ErrorCode::invalid_feature_edge, ElementKind::edge, std::move(ids),

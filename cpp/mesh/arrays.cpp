@@ -3,7 +3,8 @@
 #include "mesh/directed_edges.h"
 
 namespace anisoquad {
-SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, const Context& context) {
+SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+                        const Context& context) {
     SurfaceMesh mesh;
     const auto n = static_cast<std::int32_t>(points.size());
     const auto m = static_cast<std::int32_t>(triangles.size());

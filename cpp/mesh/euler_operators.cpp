@@ -263,7 +263,8 @@ void collapse(SurfaceMesh& mesh, HalfEdge h) {
     mesh.adjust_outgoing(b);
     // Of two edges that become one, the one that was at b already stays.
     for (const HalfEdge side : {after_h, before_g}) {
-        if (!mesh.is_deleted(side) && mesh.face(side).is_valid() && mesh.next(mesh.next(side)) == side) remove_two_gon(mesh, side);
+        if (!mesh.is_deleted(side) && mesh.face(side).is_valid() && mesh.next(mesh.next(side)) == side)
+            remove_two_gon(mesh, side);
     }
 }
 

@@ -39,7 +39,8 @@ void collapse(SurfaceMesh& mesh, HalfEdge h);
 
 /// The triangles inside a closed loop of half-edges (region on their left).
 /// @param faces receives them; @param limit most faces to collect
-/// @returns false if the region is larger, is not a disk, touches itself, holds a face that is not a triangle, or a constrained edge
+/// @returns false if the region is larger, is not a disk, touches itself, holds a face that is not a triangle, or a constrained
+/// edge
 bool collect_region(const SurfaceMesh& mesh, std::span<const HalfEdge> loop, std::vector<Face>& faces, std::size_t limit = 4096);
 /// Replaces the faces inside the loop by one face whose half-edges are the loop; what lay inside is removed, nodes too.
 /// @pre collect_region(mesh, loop, faces)

@@ -74,7 +74,8 @@ class Checker {
 
     void check_vertex(Vertex v) {
         if (mesh_.is_deleted(v) || !mesh_.halfedge(v).is_valid()) return;
-        if (mesh_.is_deleted(mesh_.halfedge(v)) || mesh_.from(mesh_.halfedge(v)) != v) return add("wrong outgoing half-edge of node", v.index());
+        if (mesh_.is_deleted(mesh_.halfedge(v)) || mesh_.from(mesh_.halfedge(v)) != v)
+            return add("wrong outgoing half-edge of node", v.index());
         int steps = 0;
         int boundaries = 0;
         for (const HalfEdge h : mesh_.outgoing(v)) {
@@ -82,18 +83,21 @@ class Checker {
             boundaries += mesh_.is_boundary(h);
         }
         if (boundaries > 1) add("more than one fan at node", v.index());
-        if (boundaries == 1 && !mesh_.is_boundary(mesh_.halfedge(v))) add("outgoing half-edge not on the boundary at node", v.index());
+        if (boundaries == 1 && !mesh_.is_boundary(mesh_.halfedge(v)))
+            add("outgoing half-edge not on the boundary at node", v.index());
         if (!mesh_.position(v).allFinite()) add("non-finite position of node", v.index());
     }
 
     void check_face(Face f) {
         if (mesh_.is_deleted(f)) return;
-        if (mesh_.is_deleted(mesh_.halfedge(f)) || mesh_.face(mesh_.halfedge(f)) != f) return add("wrong half-edge of face", f.index());
+        if (mesh_.is_deleted(mesh_.halfedge(f)) || mesh_.face(mesh_.halfedge(f)) != f)
+            return add("wrong half-edge of face", f.index());
         std::array<Vertex, 4> nodes;
         std::size_t n = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) {
             if (n == 4) return add("more than four nodes in face", f.index());
-            if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(n), mesh_.from(h)) != nodes.begin() + static_cast<std::ptrdiff_t>(n)) {
+            if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(n), mesh_.from(h)) !=
+                nodes.begin() + static_cast<std::ptrdiff_t>(n)) {
                 return add("repeated node in face", f.index());
             }
             nodes[n++] = mesh_.from(h);
@@ -112,7 +116,8 @@ class Checker {
         }
         std::sort(keys.begin(), keys.end());
         for (std::size_t i = 0; i + 1 < keys.size() && !full(); ++i) {
-            if (keys[i][0] == keys[i + 1][0] && keys[i][1] == keys[i + 1][1]) add("second edge between the same nodes: edge", keys[i + 1][2]);
+            if (keys[i][0] == keys[i + 1][0] && keys[i][1] == keys[i + 1][1])
+                add("second edge between the same nodes: edge", keys[i + 1][2]);
         }
     }
 

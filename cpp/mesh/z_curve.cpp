@@ -36,7 +36,8 @@ std::vector<std::int32_t> order_along_z_curve(std::int32_t count, const std::fun
         for (int axis = 0; axis < 3; ++axis) code |= spread_bits(static_cast<std::uint64_t>(cell[axis])) << axis;
         keys.push_back({code, i});
     }
-    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.code != b.code ? a.code < b.code : a.point < b.point; });
+    std::sort(keys.begin(), keys.end(),
+              [](const Key& a, const Key& b) { return a.code != b.code ? a.code < b.code : a.point < b.point; });
     std::vector<std::int32_t> order;
     order.reserve(keys.size());
     for (const Key& key : keys) order.push_back(key.point);
@@ -44,7 +45,8 @@ std::vector<std::int32_t> order_along_z_curve(std::int32_t count, const std::fun
 }
 
 std::vector<std::int32_t> order_along_z_curve(std::span<const Point> points) {
-    return order_along_z_curve(static_cast<std::int32_t>(points.size()), [&](std::int32_t i) { return points[static_cast<std::size_t>(i)]; });
+    return order_along_z_curve(static_cast<std::int32_t>(points.size()),
+                               [&](std::int32_t i) { return points[static_cast<std::size_t>(i)]; });
 }
 
 }  // namespace anisoquad

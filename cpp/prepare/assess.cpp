@@ -41,7 +41,8 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curv
         if (patch >= patches.size()) patches.resize(patch + 1);
         const HalfEdge h = mesh.halfedge(Face(i));
         ++patches[patch].triangles;
-        patches[patch].poor += triangle_shape(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))) < kPoorShape;
+        patches[patch].poor += triangle_shape(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)),
+                                              mesh.position(mesh.to(mesh.next(h)))) < kPoorShape;
     }
     std::vector<double> size(static_cast<std::size_t>(mesh.vertex_slots()), 0.0);
     for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
@@ -55,7 +56,8 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curv
         if (mesh.is_deleted(Edge(i)) || mesh.is_constrained(Edge(i))) continue;
         const HalfEdge h = M::halfedge(Edge(i));
         const auto patch = static_cast<std::size_t>(mesh.info(mesh.face(h)).patch);
-        const double step = size[static_cast<std::size_t>(mesh.from(h).index())] - size[static_cast<std::size_t>(mesh.to(h).index())];
+        const double step =
+            size[static_cast<std::size_t>(mesh.from(h).index())] - size[static_cast<std::size_t>(mesh.to(h).index())];
         ++edges[patch];
         steep[patch] += std::abs(step) > kSteep * mesh.length(h);
         const Eigen::Vector3d left = doubled_area_vector(mesh, mesh.face(h));

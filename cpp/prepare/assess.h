@@ -16,9 +16,9 @@ struct PatchAssessment {
     bool is_coarse = false;  ///< they turn too far from one to the next
 };
 
-/// Judges every patch's triangles: pairs of triangles longer than about 1:9 make no usable quad, and where neighbours' sizes change
-/// faster than quads can follow, most nodes become irregular (method 1b). Quads turn further still than the triangles that they are
-/// made of, and leave the surface where these follow it just so.
+/// Judges every patch's triangles: pairs of triangles longer than about 1:9 make no usable quad, and where neighbours' sizes
+/// change faster than quads can follow, most nodes become irregular (method 1b). Quads turn further still than the triangles that
+/// they are made of, and leave the surface where these follow it just so.
 /// @param curvature_angle degrees that neighbours may turn (Options::curvature_angle); 0: any
 /// @returns one entry per patch
 std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle);

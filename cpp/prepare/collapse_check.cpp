@@ -74,7 +74,8 @@ bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& r
         const Vector3d after = area_vector(place, p, q);
         // Slivers do not tell which way the surface faces.
         const bool is_sliver = triangle_shape(old, p, q) < kSliver;
-        if (is_sliver ? !(after.dot(normal) > 0.0) : !(after.dot(before) > kLeastCosine * after.norm() * before.norm())) return false;
+        if (is_sliver ? !(after.dot(normal) > 0.0) : !(after.dot(before) > kLeastCosine * after.norm() * before.norm()))
+            return false;
     }
     return stays_on_surface(mesh, h, reference, deviation);
 }

@@ -23,7 +23,9 @@ Coverage::Triangle corners(const SurfaceMesh& mesh, Face f) {
 
 Vector3d unit_normal(const SurfaceMesh& mesh, Face f) { return doubled_area_vector(mesh, f).normalized(); }
 
-double distance2(const Point& p, const Coverage::Triangle& t) { return (closest_on_triangle(p, t[0], t[1], t[2]) - p).squaredNorm(); }
+double distance2(const Point& p, const Coverage::Triangle& t) {
+    return (closest_on_triangle(p, t[0], t[1], t[2]) - p).squaredNorm();
+}
 
 }  // namespace
 
@@ -81,7 +83,8 @@ bool Coverage::is_covered_by(std::span<const Triangle> triangles) const {
     for (std::size_t i = 0; i < lifted_.size(); ++i) {
         const Point& p = points_[static_cast<std::size_t>(lifted_[i])];
         const double bound2 = std::max(bound2_, lifted_distance2_[i]);
-        if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle& t) { return distance2(p, t) <= bound2; })) return false;
+        if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle& t) { return distance2(p, t) <= bound2; }))
+            return false;
     }
     return true;
 }
@@ -89,7 +92,8 @@ bool Coverage::is_covered_by(std::span<const Triangle> triangles) const {
 bool Coverage::is_covered_round(const SurfaceMesh& mesh, Vertex v) {
     triangles_.clear();
     for (const HalfEdge h : mesh.outgoing(v)) {
-        if (!mesh.is_boundary(h)) triangles_.push_back({mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))});
+        if (!mesh.is_boundary(h))
+            triangles_.push_back({mesh.position(v), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))});
     }
     return is_covered_by(triangles_);
 }
@@ -111,7 +115,8 @@ void Coverage::drop(const SurfaceMesh& mesh, Edge e) {
 }
 
 void Coverage::drop(const SurfaceMesh& mesh) {
-    if (first_.size() < static_cast<std::size_t>(mesh.face_slots())) first_.resize(static_cast<std::size_t>(mesh.face_slots()), -1);
+    if (first_.size() < static_cast<std::size_t>(mesh.face_slots()))
+        first_.resize(static_cast<std::size_t>(mesh.face_slots()), -1);
     for (const std::int32_t i : lifted_) {
         Face closest;
         double least = 1e300;

@@ -10,8 +10,8 @@
 namespace anisoquad {
 
 /// Keeps the input covered while its triangles are remeshed: points of the input, each held by the triangle of the mesh that is
-/// closest to it, must not get farther from the mesh than a bound. Distances of the mesh from the input alone do not notice when a
-/// thin edge or a tip draws back. After @cite hu2017error.
+/// closest to it, must not get farther from the mesh than a bound. Distances of the mesh from the input alone do not notice when
+/// a thin edge or a tip draws back. After @cite hu2017error.
 class Coverage {
   public:
     using Triangle = std::array<Point, 3>;
@@ -37,8 +37,8 @@ class Coverage {
 
     double bound2_;
     std::vector<Point> points_;
-    std::vector<std::int32_t> next_;        ///< per point: the next one of its triangle, -1 = last
-    std::vector<std::int32_t> first_;       ///< per face slot
+    std::vector<std::int32_t> next_;   ///< per point: the next one of its triangle, -1 = last
+    std::vector<std::int32_t> first_;  ///< per face slot
     std::vector<std::int32_t> lifted_;
     std::vector<double> lifted_distance2_;  ///< of those, from the triangle they were taken from
     std::vector<Face> faces_;

@@ -21,7 +21,8 @@ constexpr double kLeastShape = 0.05;  ///< of a triangle beside a node that slid
 
 class Redistribution {
   public:
-    Redistribution(SurfaceMesh& mesh, LineNodes& line, const ReferenceLines& lines, const ReferenceSurface& surface, const LineOptions& options)
+    Redistribution(SurfaceMesh& mesh, LineNodes& line, const ReferenceLines& lines, const ReferenceSurface& surface,
+                   const LineOptions& options)
         : mesh_(mesh), line_(line), reference_(lines), surface_(surface), options_(options) {}
 
     std::int32_t run() {
@@ -113,7 +114,8 @@ class Redistribution {
             if (std::abs(target - line_.ways[i]) < kLeastMove * (to - from)) continue;
             for (int tries = 0; tries < 3; ++tries, target = 0.5 * (target + line_.ways[i])) {
                 if (reference_.deviation(line_.line, from, target) > options_.deviation ||
-                    reference_.deviation(line_.line, target, to) > options_.deviation || !place(v, reference_.at(line_.line, target))) {
+                    reference_.deviation(line_.line, target, to) > options_.deviation ||
+                    !place(v, reference_.at(line_.line, target))) {
                     continue;
                 }
                 line_.ways[i] = target;
@@ -132,7 +134,8 @@ class Redistribution {
             const Point& b = mesh_.position(mesh_.to(mesh_.next(out)));
             const Vector3d before = (a - kept).cross(b - kept);
             const Vector3d after = (a - p).cross(b - p);
-            if (!(after.dot(before) > 0.0) || triangle_shape(p, a, b) < std::min(kLeastShape, triangle_shape(kept, a, b))) return false;
+            if (!(after.dot(before) > 0.0) || triangle_shape(p, a, b) < std::min(kLeastShape, triangle_shape(kept, a, b)))
+                return false;
         }
         const std::int32_t input = mesh_.info(v).input;
         if (options_.coverage) options_.coverage->lift(mesh_, v);
@@ -172,8 +175,8 @@ std::vector<LineNodes> line_nodes(const SurfaceMesh& mesh, std::span<const Featu
     return result;
 }
 
-std::int32_t redistribute_line_nodes(SurfaceMesh& mesh, LineNodes& line, const ReferenceLines& lines, const ReferenceSurface& surface,
-                                     const LineOptions& options) {
+std::int32_t redistribute_line_nodes(SurfaceMesh& mesh, LineNodes& line, const ReferenceLines& lines,
+                                     const ReferenceSurface& surface, const LineOptions& options) {
     return Redistribution(mesh, line, lines, surface, options).run();
 }
 

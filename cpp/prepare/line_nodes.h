@@ -22,8 +22,8 @@ struct LineOptions {
     double deviation = 0.0;        ///< of line edges from the input's line, in mesh units
     double sagitta = 0.0;          ///< of triangles from the surface, in mesh units
     Coverage* coverage = nullptr;  ///< also guards the input against being left uncovered
-    bool equal_parts = false;      ///< long edges are split into as many equal parts as fit their size; else halved, so that lines beside
-                                   ///< each other get the same nodes
+    bool equal_parts = false;  ///< long edges are split into as many equal parts as fit their size; else halved, so that lines
+                               ///< beside each other get the same nodes
 };
 
 /// @param lines with their nodes still at the input's places
@@ -34,7 +34,7 @@ std::vector<LineNodes> line_nodes(const SurfaceMesh& mesh, std::span<const Featu
 /// near the input's line; triangles beside the line are never turned over.
 /// @param lines, surface the input's
 /// @returns number of changes
-std::int32_t redistribute_line_nodes(SurfaceMesh& mesh, LineNodes& line, const ReferenceLines& lines, const ReferenceSurface& surface,
-                                     const LineOptions& options);
+std::int32_t redistribute_line_nodes(SurfaceMesh& mesh, LineNodes& line, const ReferenceLines& lines,
+                                     const ReferenceSurface& surface, const LineOptions& options);
 
 }  // namespace anisoquad

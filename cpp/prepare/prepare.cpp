@@ -22,21 +22,23 @@ using M = SurfaceMesh;
 
 constexpr int kSweeps = 12;
 constexpr int kLeastSweeps = 4;
-constexpr double kAtRest = 0.01;      ///< of the triangles that change in a sweep: below it, it is the last one
-constexpr double kLineSagitta = 5e-5;  ///< of line edges off the input's line, over the model's diagonal
+constexpr double kAtRest = 0.01;        ///< of the triangles that change in a sweep: below it, it is the last one
+constexpr double kLineSagitta = 5e-5;   ///< of line edges off the input's line, over the model's diagonal
 constexpr double kRidgeSagitta = 2e-4;  ///< of the edges of ridges
-constexpr double kSagitta = 4e-4;      ///< of edges off the surface, over the model's diagonal
-constexpr double kSagittaAsked = 0.1;  ///< the same over the wanted size, where one is asked for
-constexpr double kUncovered = 1.25;    ///< bound for the surface's points off the triangles, over that of the triangles off the surface
-constexpr double kMostTriangles = 6.0;   ///< that may be made of one, where no size is asked for
+constexpr double kSagitta = 4e-4;       ///< of edges off the surface, over the model's diagonal
+constexpr double kSagittaAsked = 0.1;   ///< the same over the wanted size, where one is asked for
+constexpr double kUncovered =
+    1.25;  ///< bound for the surface's points off the triangles, over that of the triangles off the surface
+constexpr double kMostTriangles = 6.0;    ///< that may be made of one, where no size is asked for
 constexpr double kFewTriangles = 2000.0;  ///< that may be made in any case
-constexpr double kMostOfWanted = 4.0;  ///< triangles over those that the sizes ask for, beyond which no edge is split
-constexpr double kPerLineEdge = 4.0;   ///< triangles that an edge of a line may ask for, however narrow the surface is
-constexpr double kAlongSource = 2.0;    ///< wanted length of merged edges over the largest size
-constexpr double kMostRefinement = 8.0;  ///< of the edges along a source
-constexpr double kWidthOverHeight = 1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
+constexpr double kMostOfWanted = 4.0;     ///< triangles over those that the sizes ask for, beyond which no edge is split
+constexpr double kPerLineEdge = 4.0;      ///< triangles that an edge of a line may ask for, however narrow the surface is
+constexpr double kAlongSource = 2.0;      ///< wanted length of merged edges over the largest size
+constexpr double kMostRefinement = 8.0;   ///< of the edges along a source
+constexpr double kWidthOverHeight =
+    1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
 constexpr double kFinestSource = 1.0 / 64.0;  ///< least edges along a source for the rows at its ends, over the largest size
-constexpr double kStepAtLine = 1.8;     ///< line edges this much longer than wanted spread the remeshing to the patch behind them
+constexpr double kStepAtLine = 1.8;  ///< line edges this much longer than wanted spread the remeshing to the patch behind them
 
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
 
@@ -69,9 +71,13 @@ class Prepare {
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
             field.assign(mesh_, hint_, line_edges(), source_bounds(), context_);
             std::vector<char> zone = zone_of_patches();
-            const RemeshResult r =
-                remesh_triangles(mesh_, zone, input_.reference,
-                                 {.sweeps = 1, .deviation = sagitta_ / input_.reference.diagonal(), .patches = chosen_, .coverage = &*coverage_, .most_triangles = most_triangles(), .context = &context_});
+            const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference,
+                                                    {.sweeps = 1,
+                                                     .deviation = sagitta_ / input_.reference.diagonal(),
+                                                     .patches = chosen_,
+                                                     .coverage = &*coverage_,
+                                                     .most_triangles = most_triangles(),
+                                                     .context = &context_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
         }
         follow_sources();
@@ -140,9 +146,11 @@ class Prepare {
     /// Edges along sources suit the height that the rows can have at the ends.
     void bound_sources() {
         if (std::none_of(chains_.begin(), chains_.end(), [&](const LineNodes& chain) { return is_source(chain); })) return;
-        const SourceSpacingOptions options{range_.largest, kFinestSource * range_.largest, kLineSagitta * input_.reference.diagonal()};
+        const SourceSpacingOptions options{range_.largest, kFinestSource * range_.largest,
+                                           kLineSagitta * input_.reference.diagonal()};
         for (std::size_t s = 0; s < sources_.size(); ++s) {
-            source_bound_.push_back(kWidthOverHeight * source_spacing(mesh_, chains_, input_.lines, input_.reference_lines, static_cast<std::int32_t>(s), options));
+            source_bound_.push_back(kWidthOverHeight * source_spacing(mesh_, chains_, input_.lines, input_.reference_lines,
+                                                                      static_cast<std::int32_t>(s), options));
         }
     }
 
@@ -153,7 +161,8 @@ class Prepare {
         bounds.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
         for (const LineNodes& chain : chains_) {
             if (!is_source(chain)) continue;
-            const double bound = source_bound_[static_cast<std::size_t>(input_.lines[static_cast<std::size_t>(chain.line)].source)];
+            const double bound =
+                source_bound_[static_cast<std::size_t>(input_.lines[static_cast<std::size_t>(chain.line)].source)];
             for (const Vertex v : chain.nodes) bounds[static_cast<std::size_t>(v.index())] = bound;
         }
         return bounds;
@@ -283,12 +292,13 @@ class Prepare {
 
 std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options) {
     std::vector<char> chosen;
-    for (const PatchAssessment& patch : assess_patches(mesh, options.curvature_angle)) chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
+    for (const PatchAssessment& patch : assess_patches(mesh, options.curvature_angle))
+        chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
     return chosen;
 }
 
-PrepareResult prepare_triangles(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources, const Options& options,
-                                Context& context) {
+PrepareResult prepare_triangles(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources,
+                                const Options& options, Context& context) {
     return Prepare(mesh, input, sources, options, context).run();
 }
 

@@ -44,7 +44,7 @@ std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& opti
 /// them (method 1b). Good triangles are left untouched.
 /// @param mesh fresh from find_features() and find_patches()
 /// @param sources in and out: their vertices become those of the prepared mesh
-PrepareResult prepare_triangles(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources, const Options& options,
-                                Context& context = no_context());
+PrepareResult prepare_triangles(SurfaceMesh& mesh, const PrepareInput& input, std::vector<Source>& sources,
+                                const Options& options, Context& context = no_context());
 
 }  // namespace anisoquad

@@ -28,7 +28,7 @@ struct RemeshOptions {
     std::span<const char> patches = {};  ///< per patch, nonzero where the triangles may be changed; empty: in all patches
     Coverage* coverage = nullptr;        ///< also guards the input against being left uncovered
     std::int32_t most_triangles = std::numeric_limits<std::int32_t>::max();  ///< of the mesh: no edge is split beyond them
-    const Context* context = nullptr;    ///< asked now and then whether to go on
+    const Context* context = nullptr;                                        ///< asked now and then whether to go on
 };
 
 /// Adaptive remeshing of the unmeshed triangles towards VertexInfo::size (@cite botsch2004remeshing, @cite dunyach2013adaptive):

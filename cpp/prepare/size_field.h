@@ -11,11 +11,11 @@ namespace anisoquad {
 
 /// All lengths in the frame of the mesh.
 struct SizeFieldOptions {
-    double largest = 0.02;         ///< edge length of quads where nothing asks for less
-    double smallest = 5e-3;  ///< what curvature and narrow places ask for at the most
-    double curvature_angle = 30.0; ///< degrees that one edge may turn along the surface; 0: the curvature is not looked at
-    double sagitta = 1e-3;         ///< of an edge off the curved surface
-    double growth = 1.3;           ///< limit between the sizes of neighbouring elements
+    double largest = 0.02;          ///< edge length of quads where nothing asks for less
+    double smallest = 5e-3;         ///< what curvature and narrow places ask for at the most
+    double curvature_angle = 30.0;  ///< degrees that one edge may turn along the surface; 0: the curvature is not looked at
+    double sagitta = 1e-3;          ///< of an edge off the curved surface
+    double growth = 1.3;            ///< limit between the sizes of neighbouring elements
     std::span<const double> vertex_size = {};  ///< per input vertex, instead of `largest`; empty: none
     std::span<const char> in_fold = {};        ///< per edge of the input's mesh: its turn is a ridge's, not a curvature
 };
@@ -26,8 +26,8 @@ struct SizeFieldOptions {
 /// that span a narrow place between two lines give its width.
 class SizeField {
   public:
-    SizeField(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, const ReferenceSurface& reference,
-              const SizeFieldOptions& options);
+    SizeField(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
+              const ReferenceSurface& reference, const SizeFieldOptions& options);
 
     /// Bounds the size of one facet from above.
     void limit(std::int32_t facet, double size);

@@ -16,8 +16,8 @@ constexpr double kFinenessAsked = 8.0;  ///< where one is
 
 }  // namespace
 
-SizeRange size_range(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, double diagonal, double unit,
-                     const Options& options) {
+SizeRange size_range(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, double diagonal,
+                     double unit, const Options& options) {
     if (!options.vertex_size.empty()) {
         const auto [least, most] = std::minmax_element(options.vertex_size.begin(), options.vertex_size.end());
         return {*most / unit, *least / unit / kFinenessAsked};

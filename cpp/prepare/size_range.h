@@ -18,7 +18,7 @@ struct SizeRange {
 /// What Options asks for; where it asks for nothing, as many quads as half of the triangles would make, all of one size.
 /// @param points, triangles the input in the mesh's frame, with the given diagonal of its bounding box
 /// @param unit the user's lengths over the mesh's
-SizeRange size_range(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, double diagonal, double unit,
-                     const Options& options);
+SizeRange size_range(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles, double diagonal,
+                     double unit, const Options& options);
 
 }  // namespace anisoquad

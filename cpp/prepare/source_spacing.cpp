@@ -6,8 +6,9 @@
 namespace anisoquad {
 namespace {
 
-constexpr double kStep = 0.9;          ///< from one length that is tried to the next
-constexpr double kStraightOn = -0.89;  ///< cosine (153°) between lines of which one goes on where the other ends: no column runs there
+constexpr double kStep = 0.9;  ///< from one length that is tried to the next
+constexpr double kStraightOn =
+    -0.89;  ///< cosine (153°) between lines of which one goes on where the other ends: no column runs there
 
 /// Direction of a chain at one of its ends, away from it.
 Eigen::Vector3d direction(const SurfaceMesh& mesh, const LineNodes& chain, bool front) {
@@ -20,7 +21,9 @@ Eigen::Vector3d direction(const SurfaceMesh& mesh, const LineNodes& chain, bool 
 double first_edge(const LineNodes& chain, bool front, const ReferenceLines& reference, const SourceSpacingOptions& options) {
     const double length = reference.length(chain.line);
     double way = std::min(options.longest, length);
-    while (way > options.shortest && reference.deviation(chain.line, front ? 0.0 : length - way, front ? way : length) > options.deviation) way *= kStep;
+    while (way > options.shortest &&
+           reference.deviation(chain.line, front ? 0.0 : length - way, front ? way : length) > options.deviation)
+        way *= kStep;
     return std::max(way, options.shortest);
 }
 
@@ -40,7 +43,8 @@ double source_spacing(const SurfaceMesh& mesh, std::span<const LineNodes> chains
                 if (source_of(chain) == source || chain.nodes.size() < 3) continue;
                 for (const bool front : {true, false}) {
                     if ((front ? chain.nodes.front() : chain.nodes.back()) != end) continue;
-                    if (along.dot(direction(mesh, chain, front)) > kStraightOn) spacing = std::min(spacing, first_edge(chain, front, reference, options));
+                    if (along.dot(direction(mesh, chain, front)) > kStraightOn)
+                        spacing = std::min(spacing, first_edge(chain, front, reference, options));
                 }
             }
         }

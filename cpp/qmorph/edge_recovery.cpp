@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 
 constexpr int kMostCrossed = 400;
 constexpr int kMostRounds = 4;           // of taking nodes out of the way
-constexpr double kTouching = 0.15;      // distance of a node from the line, over the line's length
-constexpr double kInTheWay = 0.5;         // the same for a node that is taken away from it
+constexpr double kTouching = 0.15;       // distance of a node from the line, over the line's length
+constexpr double kInTheWay = 0.5;        // the same for a node that is taken away from it
 constexpr double kLeastFold = 0.3;       // cosine between the triangles of a swapped edge
 constexpr double kLeastTriangle = 0.02;  // of a triangle round a node that is pushed
 
@@ -46,7 +46,8 @@ class EdgeRecovery {
         for (int round = 0;; ++round) {
             const HalfEdge made = swap_crossed();
             if (made.is_valid()) return made;
-            if (round == kMostRounds || !collect_crossed() || !clear_line() || !collect_crossed()) return mesh_.find_halfedge(a_, b_);
+            if (round == kMostRounds || !collect_crossed() || !clear_line() || !collect_crossed())
+                return mesh_.find_halfedge(a_, b_);
         }
     }
 
@@ -119,8 +120,8 @@ class EdgeRecovery {
         return (side(p) > 0.0) != (side(q) > 0.0);
     }
 
-    /// Free nodes that the line all but touches leave no convex pair to swap: they are pushed off it, or merged into an end or what else
-    /// is beside them.
+    /// Free nodes that the line all but touches leave no convex pair to swap: they are pushed off it, or merged into an end or
+    /// what else is beside them.
     bool clear_line() {
         bool changed = false;
         for (const Edge e : crossed_) {
@@ -191,7 +192,8 @@ class EdgeRecovery {
 
     /// Of a triangle seen along the strip's normal: doubled area over the sum of squared edges.
     double quality_of(Vertex p, Vertex q, Vertex r) const {
-        return doubled_area(p, q, r) / ((at(q) - at(p)).squaredNorm() + (at(r) - at(q)).squaredNorm() + (at(p) - at(r)).squaredNorm());
+        return doubled_area(p, q, r) /
+               ((at(q) - at(p)).squaredNorm() + (at(r) - at(q)).squaredNorm() + (at(p) - at(r)).squaredNorm());
     }
 
     /// Worst triangle that a merge would leave.
@@ -207,8 +209,8 @@ class EdgeRecovery {
         return worst;
     }
 
-    /// Takes out a node among others that all but lie on the line, by swaps that leave it with three edges; where none can be swapped any
-    /// more, by a merge.
+    /// Takes out a node among others that all but lie on the line, by swaps that leave it with three edges; where none can be
+    /// swapped any more, by a merge.
     bool remove(Vertex v) {
         while (mesh_.valence(v) > 3) {
             Edge best;

@@ -22,7 +22,7 @@ namespace {
 
 using M = SurfaceMesh;
 constexpr int kMostEdgesAtTransition = 16;  // of the nodes at a transition seam or split
-constexpr int kTries = 4;  // of one front edge before it is left to finish_remaining()
+constexpr int kTries = 4;                   // of one front edge before it is left to finish_remaining()
 
 /// A front edge that waits: fewer right or left bits unset first, then lower level, then shorter, then lower index.
 struct Waiting {
@@ -33,13 +33,15 @@ struct Waiting {
     std::int32_t stamp;
 
     bool operator<(const Waiting& other) const {  // std::priority_queue takes the greatest first
-        return std::tie(other.missing_bits, other.level, other.length, other.h, other.stamp) < std::tie(missing_bits, level, length, h, stamp);
+        return std::tie(other.missing_bits, other.level, other.length, other.h, other.stamp) <
+               std::tie(missing_bits, level, length, h, stamp);
     }
 };
 
 class QMorph {
   public:
-    QMorph(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context) : mesh_(mesh), reference_(reference), context_(context) {}
+    QMorph(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context)
+        : mesh_(mesh), reference_(reference), context_(context) {}
 
     QMorphResult run() {
         start_closed_components(mesh_);
@@ -78,7 +80,8 @@ class QMorph {
     };
 
     EdgeState& state(HalfEdge h) {
-        if (states_.size() < static_cast<std::size_t>(mesh_.halfedge_slots())) states_.resize(static_cast<std::size_t>(mesh_.halfedge_slots()));
+        if (states_.size() < static_cast<std::size_t>(mesh_.halfedge_slots()))
+            states_.resize(static_cast<std::size_t>(mesh_.halfedge_slots()));
         return states_[static_cast<std::size_t>(h.index())];
     }
 
@@ -90,9 +93,7 @@ class QMorph {
         queue_.push({2 - bits + 3 * s.tries, s.level, static_cast<float>(mesh_.length(h)), h, s.stamp});
     }
 
-    bool is_current(const Waiting& w) {
-        return !mesh_.is_deleted(w.h) && state(w.h).stamp == w.stamp && is_front(mesh_, w.h);
-    }
+    bool is_current(const Waiting& w) { return !mesh_.is_deleted(w.h) && state(w.h).stamp == w.stamp && is_front(mesh_, w.h); }
 
     void advance(HalfEdge h) {
         const int length = loop_length(mesh_, h, 6);
@@ -155,8 +156,8 @@ class QMorph {
         return true;
     }
 
-    /// Splits and seams can undo each other: a bound for their number keeps the work per triangle limited. Each leaves an edge more
-    /// at a node beside it, which tells where they follow each other at one place.
+    /// Splits and seams can undo each other: a bound for their number keeps the work per triangle limited. Each leaves an edge
+    /// more at a node beside it, which tells where they follow each other at one place.
     bool may_make_transition(HalfEdge h) const {
         if (10 * result_.transitions > triangles_ + 100) return false;
         const std::array<Vertex, 3> nodes{mesh_.from(h), mesh_.to(h), mesh_.to(next_front(mesh_, h))};

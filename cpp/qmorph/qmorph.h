@@ -10,15 +10,15 @@ namespace anisoquad {
 
 /// What the fill did.
 struct QMorphResult {
-    std::int32_t quads = 0;        ///< formed on front edges
+    std::int32_t quads = 0;  ///< formed on front edges
     std::int32_t seams = 0;
     std::int32_t transitions = 0;  ///< transition seams and splits
     std::int32_t rungs = 0;        ///< edges from line to line cut in three
     std::int32_t closed_loops = 0;
-    std::int32_t failed_edges = 0; ///< front edges given up after repeated tries
-    std::int32_t paired = 0;       ///< quads made by finish_remaining()
+    std::int32_t failed_edges = 0;  ///< front edges given up after repeated tries
+    std::int32_t paired = 0;        ///< quads made by finish_remaining()
     std::int32_t walks = 0;
-    std::int32_t left = 0;         ///< triangles that are left: 0 unless a patch has an odd boundary
+    std::int32_t left = 0;  ///< triangles that are left: 0 unless a patch has an odd boundary
 };
 
 /// Fills all triangles of the mixed mesh with quads, from the front inwards (paper 3.4; @cite owen1999qmorph). Components

@@ -38,7 +38,8 @@ Face form_quad(SurfaceMesh& mesh, HalfEdge h, Vertex c, Vertex d, double least) 
 
 namespace {
 
-constexpr int kMostEdges = 32;  ///< of a node whose neighbours are smoothed: those of a fan's hub would take longer than all others together
+constexpr int kMostEdges =
+    32;  ///< of a node whose neighbours are smoothed: those of a fan's hub would take longer than all others together
 
 void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, FacetHints& hints) {
     if (!is_movable(mesh, v)) return;

@@ -16,7 +16,9 @@ HalfEdge leaving(const SurfaceMesh& mesh, Vertex v, Face f) {
     return {};
 }
 
-Edge join(SurfaceMesh& mesh, Face f, Vertex a, Vertex b) { return M::edge(insert_edge(mesh, leaving(mesh, a, f), leaving(mesh, b, f))); }
+Edge join(SurfaceMesh& mesh, Face f, Vertex a, Vertex b) {
+    return M::edge(insert_edge(mesh, leaving(mesh, a, f), leaving(mesh, b, f)));
+}
 
 }  // namespace
 

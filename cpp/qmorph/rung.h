@@ -5,8 +5,8 @@
 
 namespace anisoquad {
 
-/// True for a front edge that leads from one line to another over the quad behind it, like the rung of a ladder, and has become too
-/// long for the sizes wanted at its ends: where two lines part, the quads between them would get wider and wider. Neither
+/// True for a front edge that leads from one line to another over the quad behind it, like the rung of a ladder, and has become
+/// too long for the sizes wanted at its ends: where two lines part, the quads between them would get wider and wider. Neither
 /// transition of Owen (1999) can halve such an edge, since the quad's sides lie on the lines.
 bool is_wide_rung(const SurfaceMesh& mesh, HalfEdge h);
 

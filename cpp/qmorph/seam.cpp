@@ -19,9 +19,9 @@ using M = SurfaceMesh;
 constexpr double kSeamAngle = std::numbers::pi / 6;
 constexpr double kSeamAngleCrowded = std::numbers::pi / 4;  // at a node that already has five quads
 constexpr double kTransitionRatio = 2.5;
-constexpr double kLongEdge = 1.85;      // over the wanted size: halved even without a step of length
+constexpr double kLongEdge = 1.85;                    // over the wanted size: halved even without a step of length
 constexpr double kLeastNotch = std::numbers::pi / 4;  // a sharper notch would be seamed again at once
-constexpr double kLeastHalved = 1.3;   // over the wanted size: shorter edges are never halved, so that no seam undoes a split
+constexpr double kLeastHalved = 1.3;  // over the wanted size: shorter edges are never halved, so that no seam undoes a split
 
 int quads_at(const SurfaceMesh& mesh, Vertex v) {
     int n = 0;
@@ -33,7 +33,8 @@ int quads_at(const SurfaceMesh& mesh, Vertex v) {
 /// the end where the triangle is cut off (a seam there could only undo it).
 bool can_halve(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
     const HalfEdge back = M::twin(front);
-    if (mesh.is_constrained(M::edge(front)) || mesh.is_constrained(M::edge(at_end ? mesh.prev(back) : mesh.next(back)))) return false;
+    if (mesh.is_constrained(M::edge(front)) || mesh.is_constrained(M::edge(at_end ? mesh.prev(back) : mesh.next(back))))
+        return false;
     const double size = 0.5 * (mesh.info(mesh.from(front)).size + mesh.info(mesh.to(front)).size);
     if (mesh.length(front) < kLeastHalved * size) return false;
     return mesh.is_quad(mesh.face(back)) && mesh.info(mesh.face(back)).row == 0;
@@ -103,7 +104,8 @@ SeamKind classify_seam(const SurfaceMesh& mesh, HalfEdge h) {
     }
     const double size = 0.5 * (mesh.info(mesh.from(longer)).size + mesh.info(mesh.to(longer)).size);
     const bool step = ratio > kTransitionRatio || (size > 0.0 && std::max(l1, l2) > kLongEdge * size);
-    if (step && angle > std::numbers::pi * 0.6 && can_halve(mesh, longer, longer == h) && notch_angle(mesh, longer, longer == h) > kLeastNotch) {
+    if (step && angle > std::numbers::pi * 0.6 && can_halve(mesh, longer, longer == h) &&
+        notch_angle(mesh, longer, longer == h) > kLeastNotch) {
         return SeamKind::transition_split;
     }
     return SeamKind::none;

@@ -12,9 +12,9 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kSharp = 0.8;     // radians
-constexpr double kBeyond = 0.3;    // way of the new node beyond the middle of U – L, over the length of U – L
-constexpr double kEvenSides = 2.5; // ratio of the corner's edges up to which they belong together
+constexpr double kSharp = 0.8;      // radians
+constexpr double kBeyond = 0.3;     // way of the new node beyond the middle of U – L, over the length of U – L
+constexpr double kEvenSides = 2.5;  // ratio of the corner's edges up to which they belong together
 
 /// A front edge on a line or on top of an anisotropic row: no seam may take it.
 bool is_fixed(const SurfaceMesh& mesh, HalfEdge h) {
@@ -29,10 +29,12 @@ bool fill_corner(SurfaceMesh& mesh, HalfEdge h) {
     const Vertex l = mesh.to(following);
     if (loop_length(mesh, h, 5) <= 5) return false;
     const HalfEdge across = recover_edge(mesh, l, u);
-    if (!across.is_valid() || mesh.is_constrained(M::edge(across)) || is_front(mesh, across) || is_front(mesh, M::twin(across))) return false;
+    if (!across.is_valid() || mesh.is_constrained(M::edge(across)) || is_front(mesh, across) || is_front(mesh, M::twin(across)))
+        return false;
     const Point middle = 0.5 * (mesh.position(u) + mesh.position(l));
     const Vertex x = split_edge(mesh, M::edge(across), middle);
-    const Eigen::Vector3d outward = kBeyond * (mesh.position(u) - mesh.position(l)).norm() * (middle - mesh.position(c)).normalized();
+    const Eigen::Vector3d outward =
+        kBeyond * (mesh.position(u) - mesh.position(l)).norm() * (middle - mesh.position(c)).normalized();
     for (const double share : {1.0, 0.5, 0.25}) {
         mesh.position(x) = middle + share * outward;
         if (worst_quality(mesh, x, node_normal(mesh, x)) > 0.0) break;

@@ -171,7 +171,8 @@ class SideEdge {
         const Vertex v = split_edge(mesh_, M::edge(opposite), p);
         const HalfEdge spoke = mesh_.find_halfedge(node_, v);
         if (mesh_.length(spoke) <= 1.5 * mean_length_) return spoke;
-        const Vertex nearer = split_edge(mesh_, M::edge(spoke), at(node_) + (p - at(node_)) * (mean_length_ / (p - at(node_)).norm()));
+        const Vertex nearer =
+            split_edge(mesh_, M::edge(spoke), at(node_) + (p - at(node_)) * (mean_length_ / (p - at(node_)).norm()));
         return mesh_.find_halfedge(node_, nearer);
     }
 

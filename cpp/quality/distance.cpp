@@ -34,7 +34,8 @@ double distance_to(const FacetTree& surface, const FacetTree& triangles, const C
         }
         return largest2;
     };
-    const double largest2 = reduce_blocks(triangles.count(), context, 0.0, largest2_of, [](double a, double b) { return std::max(a, b); });
+    const double largest2 =
+        reduce_blocks(triangles.count(), context, 0.0, largest2_of, [](double a, double b) { return std::max(a, b); });
     return std::sqrt(largest2);
 }
 

@@ -86,7 +86,8 @@ class Measurer {
         context_.breathe();
         Distribution result;
         values_.resize(quads_.size());
-        for_each(static_cast<std::int32_t>(quads_.size()), [&](std::int32_t i) { values_[at(i)] = measure(face(quads_[at(i)])); });
+        for_each(static_cast<std::int32_t>(quads_.size()),
+                 [&](std::int32_t i) { values_[at(i)] = measure(face(quads_[at(i)])); });
         double worst = 0.0;
         for (std::size_t i = 0; i < quads_.size(); ++i) {
             if (result.worst >= 0 && !(small_is_bad ? values_[i] < worst : values_[i] > worst)) continue;
@@ -129,7 +130,8 @@ class Measurer {
             bool against_neighbour = false;
             for (const HalfEdge h : mesh_.halfedges(face(i))) {
                 const Face other = mesh_.face(M::twin(h));
-                against_neighbour |= !mesh_.is_constrained(M::edge(h)) && normal.dot(doubled_area_vector_of_quad(mesh_, other)) < 0.0;
+                against_neighbour |=
+                    !mesh_.is_constrained(M::edge(h)) && normal.dot(doubled_area_vector_of_quad(mesh_, other)) < 0.0;
             }
             if (!against_neighbour) continue;
             const SurfacePoint below = reference_.closest(face_middle(mesh_, face(i)), ReferenceSurface::kAnyPatch, hint);

@@ -20,9 +20,9 @@ struct Distribution {
 
 /// What one pass did on one side of a source (paper 3.2, 3.3), or on a part of the side where single columns were in the way.
 struct PassReport {
-    std::int32_t source = 0;   ///< index of the source
-    std::int32_t pass = 0;     ///< 1-based
-    std::string side;          ///< "left" or "right" of the source, seen along its direction
+    std::int32_t source = 0;  ///< index of the source
+    std::int32_t pass = 0;    ///< 1-based
+    std::string side;         ///< "left" or "right" of the source, seen along its direction
     std::int32_t ratio = 1;
     std::int32_t rows = 0;     ///< anisotropic rows that were kept
     std::int32_t columns = 0;  ///< quads per row before the merge
@@ -69,7 +69,7 @@ struct Report {
     Distribution min_angle;  ///< degrees
     Distribution max_angle;  ///< degrees
     Distribution skew;
-    Distribution warpage;    ///< degrees between the two halves' normals
+    Distribution warpage;  ///< degrees between the two halves' normals
     /// Smallest angle (degrees) between neighbouring feature edges of a patch: no quad there can have a scaled Jacobian above
     /// its sine. 180 when there is no feature corner.
     double sharpest_corner = 180.0;
@@ -80,9 +80,9 @@ struct Report {
     double neighbour_area_ratio_max = 1.0;
     std::vector<std::int32_t> valence_histogram;  ///< interior nodes by number of edges
     double regular_percent = 0.0;                 ///< interior nodes with four edges
-    double hausdorff = 0.0;           ///< largest distance between mesh and input surface, both ways
-    double hausdorff_relative = 0.0;  ///< over the diagonal of the bounding box
-    RepairReport repair;              ///< what was changed before anything else; the counts above are of the mended surface
+    double hausdorff = 0.0;                       ///< largest distance between mesh and input surface, both ways
+    double hausdorff_relative = 0.0;              ///< over the diagonal of the bounding box
+    RepairReport repair;  ///< what was changed before anything else; the counts above are of the mended surface
     std::vector<StageTime> times;
     std::vector<std::string> warnings;
 };

@@ -8,8 +8,8 @@
 namespace anisoquad {
 
 /// Coordinates on the surface round a node, for searches: those of the fitted polynomial, or of the tangent plane where there
-/// is no fit or the star is folded, so that its exponential map is no map of the surface; on a fold only the way along it counts. The node is at (0,0); coordinates are
-/// lengths.
+/// is no fit or the star is folded, so that its exponential map is no map of the surface; on a fold only the way along it counts.
+/// The node is at (0,0); coordinates are lengths.
 class Chart {
   public:
     Chart(const SurfaceMesh& mesh, Vertex v, const Star& star) : centre_(star.centre()) {

@@ -33,7 +33,8 @@ bool find_line_neighbours(const SurfaceMesh& mesh, Vertex v, std::array<Vertex, 
 
 double score(const Star& star, const Point& p) { return star.quality(p).score(); }
 
-/// A node's place on its line between those of its neighbours, low < here < high; on a closed line past its first node if need be.
+/// A node's place on its line between those of its neighbours, low < here < high; on a closed line past its first node if need
+/// be.
 struct LineStretch {
     std::int32_t line = -1;
     double low = 0.0;
@@ -129,7 +130,9 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
 bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
     LineStretch stretch;
     Star star;
-    if (!gather_on_line(mesh, v, star) || star.quality(star.centre()).worst >= Star::kPoor || !find_stretch(mesh, v, lines, stretch)) return false;
+    if (!gather_on_line(mesh, v, star) || star.quality(star.centre()).worst >= Star::kPoor ||
+        !find_stretch(mesh, v, lines, stretch))
+        return false;
     const double place = best_place(star, lines, stretch, kDeviation, star.centre());
     if (place == stretch.here) return false;
     mesh.position(v) = lines.at(stretch.line, place);
@@ -141,7 +144,8 @@ bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, c
     LineStretch stretch;
     Star star;
     if (!gather_on_line(mesh, v, star) || !find_stretch(mesh, v, lines, stretch)) return false;
-    const double deviation = std::max({kDeviation, lines.deviation(stretch.line, stretch.low, stretch.here), lines.deviation(stretch.line, stretch.here, stretch.high)});
+    const double deviation = std::max({kDeviation, lines.deviation(stretch.line, stretch.low, stretch.here),
+                                       lines.deviation(stretch.line, stretch.here, stretch.high)});
     const double place = best_place(star, lines, stretch, deviation, lines.at(stretch.line, stretch.here));
     if (place == stretch.here) return false;
     const ReferenceLines::EdgePlace on = lines.edge_at(stretch.line, place);
@@ -150,7 +154,8 @@ bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, c
     target.project(std::span(&there, 1), std::span(&p, 1));
     const Star::Quality before = star.quality(star.centre());
     const Star::Quality after = star.quality(p);
-    if (!p.allFinite() || after.score() < before.score() + kLeastGain || after.worst < std::min(before.worst, Star::kPoor)) return false;
+    if (!p.allFinite() || after.score() < before.score() + kLeastGain || after.worst < std::min(before.worst, Star::kPoor))
+        return false;
     mesh.position(v) = p;
     mesh.info(v).input = -1;
     return true;

@@ -17,8 +17,8 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v);
 /// @param lines in the mesh's frame, in which the model's diagonal is 1
 bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines);
 
-/// The same on a line of a target, for every node: exactly on the target's curve, and edges beside the node may leave the line as far
-/// as they do already.
+/// The same on a line of a target, for every node: exactly on the target's curve, and edges beside the node may leave the line as
+/// far as they do already.
 /// @param target to which the input's lines belong
 bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, const FramedTarget& target);
 

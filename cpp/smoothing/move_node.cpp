@@ -50,7 +50,8 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
     const Star::Quality before = star.quality(star.centre());
     // The exponential map of a folded ring is no map of the surface.
     SurfaceFit fit;
-    const bool fitted = before.worst > kUpright && !star.is_on_fold() && !(reference && star.is_flat()) && fit_surface(mesh, v, fit);
+    const bool fitted =
+        before.worst > kUpright && !star.is_on_fold() && !(reference && star.is_flat()) && fit_surface(mesh, v, fit);
     Vector3d step = target - star.centre();
     if (star.is_on_fold()) step = star.along_fold(step);
     std::int32_t facet = hint ? *hint : -1;

@@ -20,8 +20,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::int32_t kLeafSize = 4;
-constexpr int kStackSize = 96;  ///< two cuts halve, also between patches: the depth is below 70
-constexpr int kWalkLimit = 64;  ///< facets
+constexpr int kStackSize = 96;            ///< two cuts halve, also between patches: the depth is below 70
+constexpr int kWalkLimit = 64;            ///< facets
 constexpr double kNearOfHeight = 0.05;    ///< distance at which a walk's end needs no search: over the least height of the facet
 constexpr double kNearOfDiagonal = 2e-4;  ///< and over the diagonal
 constexpr double kRounding = 1.0 + 1e-12;

@@ -21,7 +21,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 ReferenceSurface::ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
                                    std::span<const std::int32_t> facet_patch, double crease_angle, const Context& context)
-    : tree_({points.begin(), points.end()}, {triangles.begin(), triangles.end()}, {facet_patch.begin(), facet_patch.end()}, context) {
+    : tree_({points.begin(), points.end()}, {triangles.begin(), triangles.end()}, {facet_patch.begin(), facet_patch.end()},
+            context) {
     compute_normals(crease_angle, context);
 }
 
@@ -45,7 +46,9 @@ void ReferenceSurface::compute_normals(double crease_angle, const Context& conte
             angle[at(f)][k] = std::atan2(a.cross(b).norm(), a.dot(b));
         }
     });
-    const auto weighted = [&](std::int32_t facet, int k) -> Vector3d { return angle[at(facet)][at(k)] * facet_normal_[at(facet)]; };
+    const auto weighted = [&](std::int32_t facet, int k) -> Vector3d {
+        return angle[at(facet)][at(k)] * facet_normal_[at(facet)];
+    };
     corner_normal_.resize(at(facet_count()));
     for_each(facet_count(), context, [&](std::int32_t f) {
         for (int k = 0; k < 3; ++k) {
@@ -77,7 +80,8 @@ void ReferenceSurface::compute_normals(double crease_angle, const Context& conte
 
 Vector3d ReferenceSurface::interpolated_normal(const FacetTree::Hit& c) const {
     const auto& n = corner_normal_[at(c.facet)];
-    const Vector3d sum = c.weights[0] * n[0].cast<double>() + c.weights[1] * n[1].cast<double>() + c.weights[2] * n[2].cast<double>();
+    const Vector3d sum =
+        c.weights[0] * n[0].cast<double>() + c.weights[1] * n[1].cast<double>() + c.weights[2] * n[2].cast<double>();
     return sum.norm() > 0.0 ? Vector3d(sum.normalized()) : facet_normal_[at(c.facet)];
 }
 

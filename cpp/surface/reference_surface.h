@@ -34,7 +34,8 @@ class ReferenceSurface {
     ///        vertex without crossing an edge between patches or one where the facets turn by more than this
     /// @throws Error{cancelled}
     ReferenceSurface(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles,
-                     std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0, const Context& context = no_context());
+                     std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0,
+                     const Context& context = no_context());
 
     SurfacePoint closest(const Point& p, std::int32_t patch = kAnyPatch) const;
     /// The same, faster when `hint` is a facet near p (-1: none), see FacetTree::closest().

@@ -9,10 +9,10 @@ namespace anisoquad {
 
 /// Where a node is on the input's triangles: from there a TargetSurface knows what the node lies on, and where to look.
 struct TargetPlace {
-    std::int32_t facet = -1;                             ///< input triangle near the node, in the node's patch
-    Eigen::Vector3d weights = Eigen::Vector3d::Zero();   ///< barycentric, of the point of that triangle
-    std::array<std::int32_t, 2> edge{-1, -1};            ///< of a node on a feature line: vertices of the input's edge near it
-    double share = 0.0;                                  ///< how far from the first to the second, 0…1
+    std::int32_t facet = -1;                            ///< input triangle near the node, in the node's patch
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric, of the point of that triangle
+    std::array<std::int32_t, 2> edge{-1, -1};           ///< of a node on a feature line: vertices of the input's edge near it
+    double share = 0.0;                                 ///< how far from the first to the second, 0…1
 };
 
 /// The surface behind the input's triangles, as a CAD shape, to which nodes are brought. The core knows it only by this.

@@ -1,5 +1,5 @@
-// The whole way of the data and each of its stages, at 10 thousand, 100 thousand and a million triangles. The counters are the stages'
-// seconds; compare two builds with tests/benchmark/compare_builds.py.
+// The whole way of the data and each of its stages, at 10 thousand, 100 thousand and a million triangles. The counters are the
+// stages' seconds; compare two builds with tests/benchmark/compare_builds.py.
 #include "quad_mesh.h"
 
 #include <benchmark/benchmark.h>
@@ -43,9 +43,14 @@ void mesh_wing(benchmark::State& state, const std::string& name) {
 BENCHMARK(mesh_plane)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(mesh_sphere)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK_CAPTURE(mesh_wing, delta, std::string("wing_delta"))
-    ->ArgsProduct({{8000, 100000, 500000}, {1}})->Args({8000, 4})->Args({8000, 16})->Unit(benchmark::kMillisecond);
+    ->ArgsProduct({{8000, 100000, 500000}, {1}})
+    ->Args({8000, 4})
+    ->Args({8000, 16})
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mesh_wing, swept, std::string("wing_swept"))
-    ->ArgsProduct({{8000, 100000, 500000}, {1}})->Args({8000, 16})->Unit(benchmark::kMillisecond);
+    ->ArgsProduct({{8000, 100000, 500000}, {1}})
+    ->Args({8000, 16})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace anisoquad

@@ -125,7 +125,7 @@ inline void expect_oriented(const shapes::Shape& shape, const QuadMeshResult& re
 
 /// Boundary and features of the input (turn above 40°, and the given paths) are covered by line_edges, which are edges of quads.
 inline void expect_lines_covered(const shapes::Shape& shape, const QuadMeshResult& result, const std::vector<Source>& sources,
-                          double tolerance) {
+                                 double tolerance) {
     const std::set<Pair> edges = directed_edges(result.quads);
     const auto at = [&](std::int32_t i) -> const Point& { return result.points[static_cast<std::size_t>(i)]; };
     std::set<Pair> covered;
@@ -153,7 +153,7 @@ inline void expect_lines_covered(const shapes::Shape& shape, const QuadMeshResul
 }
 
 inline void expect_good(const shapes::Shape& shape, const QuadMeshResult& result, const std::vector<Source>& sources = {},
-                 double tolerance = 1e-9) {
+                        double tolerance = 1e-9) {
     expect_consistent(shape, result);
     if (testing::Test::HasFatalFailure()) return;
     EXPECT_EQ(euler_characteristic(result.quads), euler_characteristic(shape.triangles));

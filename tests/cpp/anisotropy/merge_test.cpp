@@ -89,7 +89,8 @@ TEST(Merge, SourceNodesThatTheTrianglesHoldTightAreFreed) {
     for (std::size_t i = 0; i + 1 < source_nodes.size(); ++i) {
         const HalfEdge h = p.mesh.find_halfedge(source_nodes[i + 1], source_nodes[i]);
         ASSERT_TRUE(p.mesh.is_triangle(p.mesh.face(h)));
-        const Point middle = (p.mesh.position(p.mesh.from(h)) + p.mesh.position(p.mesh.to(h)) + p.mesh.position(p.mesh.to(p.mesh.next(h)))) / 3.0;
+        const Point middle =
+            (p.mesh.position(p.mesh.from(h)) + p.mesh.position(p.mesh.to(h)) + p.mesh.position(p.mesh.to(p.mesh.next(h)))) / 3.0;
         split_face(p.mesh, p.mesh.face(h), middle);
     }
     EXPECT_EQ(merge_source_nodes(p.mesh, source_nodes, kKept), 0);

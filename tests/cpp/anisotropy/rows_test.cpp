@@ -112,7 +112,8 @@ TEST(RowBuilding, ColumnsStayEvenOverUnevenTriangles) {
     for (std::size_t j = 1; j <= 6; ++j) {
         ASSERT_TRUE(p.build(0)) << p.stacks[0].stopped;
         const auto& layer = p.stacks[0].layers[j];
-        for (std::size_t i = 0; i + 1 < layer.size(); ++i) EXPECT_NEAR((p.mesh.position(layer[i + 1]) - p.mesh.position(layer[i])).norm(), 1.0, 0.15) << j;
+        for (std::size_t i = 0; i + 1 < layer.size(); ++i)
+            EXPECT_NEAR((p.mesh.position(layer[i + 1]) - p.mesh.position(layer[i])).norm(), 1.0, 0.15) << j;
     }
     expect_good(p);
 }

@@ -67,11 +67,13 @@ TEST(SpatialOrder, IsThatOfThePlacesNotOfTheInput) {
         const shapes::Shape other = shuffled(shape, seed);
         const SpatialOrder second = spatial_order(other.points, other.triangles);
         for (std::size_t i = 0; i < first.vertex.size(); ++i)
-            EXPECT_EQ(shape.points[static_cast<std::size_t>(first.vertex[i])], other.points[static_cast<std::size_t>(second.vertex[i])]);
+            EXPECT_EQ(shape.points[static_cast<std::size_t>(first.vertex[i])],
+                      other.points[static_cast<std::size_t>(second.vertex[i])]);
         for (std::size_t i = 0; i < first.triangle.size(); ++i) {
             const auto middle = [](const shapes::Shape& s, std::int32_t f) {
                 Point sum = Point::Zero();
-                for (const std::int32_t v : s.triangles[static_cast<std::size_t>(f)]) sum += s.points[static_cast<std::size_t>(v)];
+                for (const std::int32_t v : s.triangles[static_cast<std::size_t>(f)])
+                    sum += s.points[static_cast<std::size_t>(v)];
                 return sum;
             };
             EXPECT_TRUE(middle(shape, first.triangle[i]).isApprox(middle(other, second.triangle[i])));

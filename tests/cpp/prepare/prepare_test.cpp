@@ -44,7 +44,8 @@ double smallest_shape(const SurfaceMesh& mesh) {
     for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
         if (mesh.is_deleted(Face(i))) continue;
         const HalfEdge h = mesh.halfedge(Face(i));
-        smallest = std::min(smallest, triangle_shape(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h)))));
+        smallest = std::min(smallest, triangle_shape(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)),
+                                                     mesh.position(mesh.to(mesh.next(h)))));
     }
     return smallest;
 }

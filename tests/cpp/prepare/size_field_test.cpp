@@ -46,7 +46,8 @@ TEST(SizeField, GrowthIsBoundedBetweenNeighbours) {
     const Surface s = strip_cylinder(48, 60, 1.0);
     std::vector<double> wanted(s.points.size(), 0.2);
     for (std::size_t i = 0; i < 48; ++i) wanted[i] = 0.01;
-    const std::vector<double> sizes = sizes_on(s, {.largest = 0.2, .smallest = 1e-3, .curvature_angle = 0.0, .growth = 1.25, .vertex_size = wanted});
+    const std::vector<double> sizes =
+        sizes_on(s, {.largest = 0.2, .smallest = 1e-3, .curvature_angle = 0.0, .growth = 1.25, .vertex_size = wanted});
     for (std::size_t i = 48; i < sizes.size(); ++i) EXPECT_LE(sizes[i] - sizes[i - 48], 0.25 / 60.0 + 1e-9);
     EXPECT_GT(sizes.back(), 2.0 * sizes.front());
 }

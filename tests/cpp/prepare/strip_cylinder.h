@@ -36,8 +36,8 @@ inline Surface strip_cylinder(int sides, int rings, double height) {
     return s;
 }
 
-/// The nose of a tapered wing as a CAD kernel tessellates a loft: strips from root to tip round a parabola, the first ones beside the
-/// leading edge far thinner than the others. The leading edge joins the points 0 and 1; radius 0.008 at the root, span 1.
+/// The nose of a tapered wing as a CAD kernel tessellates a loft: strips from root to tip round a parabola, the first ones beside
+/// the leading edge far thinner than the others. The leading edge joins the points 0 and 1; radius 0.008 at the root, span 1.
 inline Surface strip_nose() {
     Surface s;
     const auto add = [&](double side) {

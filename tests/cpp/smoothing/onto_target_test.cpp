@@ -70,7 +70,8 @@ TEST(OntoTarget, AWholeMeshLiesOnItsTargetWhereverTheModelIs) {
     EXPECT_EQ(onto.line_edge_input.size(), onto.line_edges.size());
     EXPECT_TRUE(alone.quad_facet.empty());
     for (const auto& [a, b] : onto.line_edge_input) {
-        EXPECT_EQ(band.points[static_cast<std::size_t>(a)].z(), band.points[static_cast<std::size_t>(b)].z()) << "an edge of a rim";
+        EXPECT_EQ(band.points[static_cast<std::size_t>(a)].z(), band.points[static_cast<std::size_t>(b)].z())
+            << "an edge of a rim";
     }
 }
 

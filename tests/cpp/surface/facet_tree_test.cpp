@@ -45,7 +45,8 @@ TEST(FacetTree, AWalkFromAnyHintEndsAtTheClosestFacetOrIsFollowedByASearch) {
         const auto hint = static_cast<std::int32_t>(random() % static_cast<unsigned>(tree.count()));
         const FacetTree::Hit exact = tree.closest(p, FacetTree::kAnyPatch, -1);
         EXPECT_EQ(tree.closest_or_within(p, FacetTree::kAnyPatch, hint, -1.0).facet, exact.facet);
-        EXPECT_NEAR(std::sqrt(tree.closest(p, FacetTree::kAnyPatch, hint).distance2), std::sqrt(exact.distance2), 1e-4 * tree.diagonal());
+        EXPECT_NEAR(std::sqrt(tree.closest(p, FacetTree::kAnyPatch, hint).distance2), std::sqrt(exact.distance2),
+                    1e-4 * tree.diagonal());
     }
 }
 
@@ -54,7 +55,8 @@ TEST(FacetTree, ASearchInOnePatchFindsWhatTryingAllItsFacetsFinds) {
     const shapes::Shape shape = shapes::torus(40, 20);
     std::vector<std::int32_t> patch;
     std::mt19937 random(5);
-    for (std::size_t f = 0; f < shape.triangles.size(); ++f) patch.push_back(f % 3 != 0 ? 7 : static_cast<std::int32_t>(random() % 40) + 8);
+    for (std::size_t f = 0; f < shape.triangles.size(); ++f)
+        patch.push_back(f % 3 != 0 ? 7 : static_cast<std::int32_t>(random() % 40) + 8);
     patch.front() = 3;  // a patch of one facet
     const FacetTree tree(shape.points, shape.triangles, patch);
     EXPECT_EQ(tree.closest(Point::Zero(), 5, -1).facet, -1);
