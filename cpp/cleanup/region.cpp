@@ -117,18 +117,19 @@ bool RegionEditor::is_possible(const Region& region, const Replacement& replacem
 
 /// Two quads on the same nodes, which small closed surfaces come to. @pre the region's faces are marked
 bool RegionEditor::lies_on_another_face(const Replacement& replacement) const {
-    const auto& quads = replacement.quads;
-    for (std::size_t i = 0; i < quads.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            if (std::is_permutation(quads[i].begin(), quads[i].end(), quads[k].begin())) return true;
-        }
-        if (std::any_of(quads[i].begin(), quads[i].end(), Replacement::is_new)) continue;
-        for (const HalfEdge out : mesh_.outgoing(quads[i][0])) {
+    static thread_local std::vector<std::array<Vertex, 4>> quads;
+    quads = replacement.quads;
+    for (auto& quad : quads) std::sort(quad.begin(), quad.end());
+    std::sort(quads.begin(), quads.end());
+    if (std::adjacent_find(quads.begin(), quads.end()) != quads.end()) return true;
+    for (const auto& quad : quads) {
+        if (std::any_of(quad.begin(), quad.end(), Replacement::is_new)) continue;
+        for (const HalfEdge out : mesh_.outgoing(quad[0])) {
             const Face f = mesh_.face(out);
             if (!f.is_valid() || face_marks_.has(f)) continue;
             std::size_t same = 0;
             for (const HalfEdge h : mesh_.halfedges(f))
-                same += std::find(quads[i].begin(), quads[i].end(), mesh_.from(h)) != quads[i].end() ? 1 : 0;
+                same += std::binary_search(quad.begin(), quad.end(), mesh_.from(h)) ? 1 : 0;
             if (same == 4) return true;
         }
     }

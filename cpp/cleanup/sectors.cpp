@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cleanup/facing.h"
 #include "mesh/face_middle.h"
 
 namespace anisoquad {
@@ -25,8 +26,8 @@ double corner_angle(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& 
     return angle < -0.25 * pi ? angle + 2.0 * pi : angle;
 }
 
-Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const ReferenceSurface& reference) {
-    return reference.closest(face_middle(mesh, f), mesh.info(f).patch).normal;
+Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const Eigen::Vector3d& up, const ReferenceSurface& reference) {
+    return reference.closest(face_middle(mesh, f), {mesh.info(f).patch, up}).normal;
 }
 
 }  // namespace
@@ -37,10 +38,11 @@ Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
         const HalfEdge start(i);
         if (mesh.is_deleted(start) || mesh.is_boundary(start) || mesh.info(mesh.face(start)).row > 0) continue;
         if (!is_fixed(mesh, M::edge(start))) continue;
+        const Eigen::Vector3d up = facing(mesh, start, [&](Edge e) { return is_fixed(mesh, e); });
         double angle = 0.0;
         HalfEdge h = start;
         do {
-            angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), reference));
+            angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), up, reference));
             h = mesh.rotated_ccw(h);
         } while (!is_fixed(mesh, M::edge(h)));
         angle_[static_cast<std::size_t>(i)] = static_cast<float>(std::max(angle, 1e-3));

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "cleanup/facing.h"
 #include "quality/metrics.h"
 #include "smoothing/laplacian.h"
 #include "smoothing/move_node.h"
@@ -36,10 +37,13 @@ Trial::Trial(SurfaceMesh& mesh, const ReferenceSurface& reference)
     : mesh_(mesh), reference_(reference), sectors_(mesh, reference), editor_(mesh) {}
 
 int Trial::gain(const Region& region, const Replacement& replacement) const {
+    static thread_local std::vector<Vertex> corners;
+    corners.clear();
+    for (const auto& quad : replacement.quads) corners.insert(corners.end(), quad.begin(), quad.end());
+    std::sort(corners.begin(), corners.end());
     const auto uses = [&](Vertex v) {
-        int n = 0;
-        for (const auto& quad : replacement.quads) n += static_cast<int>(std::count(quad.begin(), quad.end(), v));
-        return n;
+        const auto [first, last] = std::equal_range(corners.begin(), corners.end(), v);
+        return static_cast<int>(last - first);
     };
     int gain = 0;
     for (const Vertex v : region.inner) gain += irregularity(mesh_.valence(v));
@@ -67,9 +71,12 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
         std::size_t k = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) p[k++] = mesh_.position(mesh_.from(h));
         const std::int32_t patch = mesh_.info(f).patch;
-        const SurfacePoint middle = reference_.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), patch, hint);
+        const Point centre = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+        const SurfacePoint middle = reference_.closest(centre, patch, hint);
         hint = middle.facet;
-        const bool upright = (p[2] - p[0]).cross(p[3] - p[1]).dot(middle.normal) > 0.0;
+        const Eigen::Vector3d area = (p[2] - p[0]).cross(p[3] - p[1]);
+        bool upright = area.dot(middle.normal) > 0.0;
+        if (!upright) upright = area.dot(reference_.closest(centre, {patch, facing(mesh_, f)}, hint).normal) > 0.0;
         const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
         const double judged = upright ? q : -std::abs(q);
         result.worst = std::min(result.worst, judged);
@@ -89,7 +96,7 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
 
 bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
     if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
-    if (after.worst < std::min(before.worst, demands.bound)) return false;
+    if (after.worst < std::min(before.worst, demands.bound) || after.inverted > before.inverted) return false;
     if (demands.nearer < 1.0)
         return after.distance <= demands.nearer * before.distance &&
                after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);

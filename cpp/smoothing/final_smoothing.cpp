@@ -202,7 +202,7 @@ class FinalSmoother {
     bool step(Vertex v, const Star& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place) {
         std::int32_t facet = hint_[index(v)];
         for (int i = 0; i < 3 && x.norm() > kLeastStep * star.edge_length(); ++i, x *= 0.5) {
-            const Point p = reference_.project(place(x), star.patch(), facet);
+            const Point p = reference_.project(place(x), {star.patch(), star.normal()}, facet);
             const Star::Quality after = star.quality(p);
             if (!(after.score() > before.score() + kLeastScoreGain)) continue;
             if (after.worst < before.worst && after.worst < Star::kPoor) continue;

@@ -58,7 +58,7 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
     for (int i = 0; i <= kTries; ++i, step *= 0.5) {
         const Point wanted = star.centre() + step;
         Point p = fitted ? point_at_target(fit, wanted) : Point(wanted - step.dot(star.normal()) * star.normal());
-        if (reference) p = reference->project(p, star.patch(), facet);
+        if (reference) p = reference->project(p, {star.patch(), star.normal()}, facet);
         if (p == star.centre()) return false;
         if (!p.allFinite() || !is_acceptable(star, before, p, good_enough)) continue;
         if (reference && before.worst > kUpright && !star.stays_near(*reference, p)) continue;

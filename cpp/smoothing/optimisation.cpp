@@ -38,7 +38,7 @@ bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* referenc
     std::int32_t facet = hint ? *hint : -1;
     for (int i = 0; i < 3 && !x.isZero(0.0); ++i, x *= 0.5) {
         Point p = chart(x);
-        if (reference) p = reference->project(p, star.patch(), facet);
+        if (reference) p = reference->project(p, {star.patch(), star.normal()}, facet);
         if (!p.allFinite() || score(star, p) < before + kLeastGain) continue;
         // Where the surface is thin, the side that a face is seen from can be the other one's: what looks turned over is not
         // mended by crossing what is not crossed.

@@ -91,7 +91,7 @@ class Settler {
         if (!reference_) fitted_ = fit_surface(mesh, v, fit_);
     }
     Point operator()(const Point& p) {
-        if (reference_) return reference_->project(p, star_.patch(), facet_);
+        if (reference_) return reference_->project(p, {star_.patch(), star_.normal()}, facet_);
         return fitted_ ? point_at_target(fit_, p) : p;
     }
     std::int32_t facet() const { return facet_; }

@@ -28,6 +28,8 @@ constexpr double kRounding = 1.0 + 1e-12;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+bool any(std::int32_t /*facet*/) { return true; }
+
 FacetTree::Hit none() { return {std::numeric_limits<double>::infinity(), -1, Point::Zero(), Vector3d::Zero()}; }
 
 double distance2_to_box(const Point& p, const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
@@ -249,19 +251,30 @@ void FacetTree::try_round(const Point& p, std::int32_t corner, std::int32_t firs
 FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32_t hint) const {
     Hit best = none();
     if (hint >= 0 && hint < count() && walk(p, patch, hint, best)) return best;
-    search(p, patch, best);
+    search(p, patch, any, best);
+    return best;
+}
+
+FacetTree::Hit FacetTree::closest_facing(const Point& p, std::int32_t patch, const Vector3d& up) const {
+    Hit best = none();
+    const auto faces_up = [&](std::int32_t f) {
+        const auto& [a, b, c] = facets_[at(f)];
+        return (points_[at(b)] - points_[at(a)]).cross(points_[at(c)] - points_[at(a)]).dot(up) > 0.0;
+    };
+    search(p, patch, faces_up, best);
     return best;
 }
 
 FacetTree::Hit FacetTree::closest_or_within(const Point& p, std::int32_t patch, std::int32_t hint, double enough2) const {
     Hit best = none();
     if (hint >= 0 && hint < count()) walk(p, patch, hint, best);
-    if (best.distance2 > enough2) search(p, patch, best);
+    if (best.distance2 > enough2) search(p, patch, any, best);
     return best;
 }
 
-/// The closest point of all facets, if it is closer than the best one so far.
-void FacetTree::search(const Point& p, std::int32_t patch, Hit& best) const {
+/// The closest point of the facets that count, if it is closer than the best one so far.
+template <class IsMeant>
+void FacetTree::search(const Point& p, std::int32_t patch, IsMeant is_meant, Hit& best) const {
     if (nodes_.empty() || patch >= static_cast<std::int32_t>(patch_root_.size())) return;
     const std::int32_t root = patch == kAnyPatch ? 0 : patch_root_[at(patch)];
     if (root < 0) return;
@@ -279,7 +292,10 @@ void FacetTree::search(const Point& p, std::int32_t patch, Hit& best) const {
         if (entry.distance2 > best.distance2 * kRounding) continue;
         const Node& node = nodes_[at(entry.node)];
         if (node.count > 0) {
-            for (std::int32_t i = 0; i < node.count; ++i) try_facet(p, order_[at(node.first + i)], patch, best);
+            for (std::int32_t i = 0; i < node.count; ++i) {
+                const std::int32_t f = order_[at(node.first + i)];
+                if (is_meant(f)) try_facet(p, f, patch, best);
+            }
             continue;
         }
         Entry near{entry.node + 1, distance2_to_box(p, nodes_[at(entry.node + 1)].low, nodes_[at(entry.node + 1)].high)};

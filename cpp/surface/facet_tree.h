@@ -35,6 +35,8 @@ class FacetTree {
     Hit closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
     /// The exact closest point, or, if the walk from the hint finds one within the squared distance `enough2`, any such point.
     Hit closest_or_within(const Point& p, std::int32_t patch, std::int32_t hint, double enough2) const;
+    /// The closest point of the facets that face `up`: whose normal has a positive part along it.
+    Hit closest_facing(const Point& p, std::int32_t patch, const Eigen::Vector3d& up) const;
 
     std::int32_t count() const { return static_cast<std::int32_t>(facets_.size()); }
     std::size_t point_count() const { return points_.size(); }
@@ -64,7 +66,9 @@ class FacetTree {
     void try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const;
     void try_round(const Point& p, std::int32_t corner, std::int32_t first, std::int32_t patch, Hit& best) const;
     bool walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit& best) const;
-    void search(const Point& p, std::int32_t patch, Hit& best) const;
+    /// @param is_meant says of a facet whether it counts
+    template <class IsMeant>
+    void search(const Point& p, std::int32_t patch, IsMeant is_meant, Hit& best) const;
 
     std::vector<Point> points_;
     std::vector<std::array<std::int32_t, 3>> facets_;

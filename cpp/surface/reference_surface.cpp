@@ -14,6 +14,8 @@ using Eigen::Vector3d;
 
 constexpr double kLiftOfHeight = 0.1;  ///< limits of the lift off a facet
 constexpr double kLiftOfDiagonal = 5e-4;
+constexpr double kAway = -0.5;  ///< cosine between a facet and a direction from which it faces away
+constexpr double kThin = 2e-3;  ///< distance of a sheet's other side, over the diagonal, that is looked at
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -85,10 +87,20 @@ Vector3d ReferenceSurface::interpolated_normal(const FacetTree::Hit& c) const {
     return sum.norm() > 0.0 ? Vector3d(sum.normalized()) : facet_normal_[at(c.facet)];
 }
 
-SurfacePoint ReferenceSurface::closest(const Point& p, std::int32_t patch) const { return closest(p, patch, -1); }
+FacetTree::Hit ReferenceSurface::hit(const Point& p, const Sheet& sheet, std::int32_t hint) const {
+    const FacetTree::Hit closest = tree_.closest(p, sheet.patch, hint);
+    if (closest.facet < 0) return closest;
+    const double facing = facet_normal_[at(closest.facet)].dot(sheet.up);
+    if (facing >= 0.0 || facing >= kAway * sheet.up.norm()) return closest;
+    const FacetTree::Hit other = tree_.closest_facing(p, sheet.patch, sheet.up);
+    const double reach = kThin * diagonal();
+    return other.facet >= 0 && other.distance2 < reach * reach ? other : closest;
+}
 
-SurfacePoint ReferenceSurface::closest(const Point& p, std::int32_t patch, std::int32_t hint) const {
-    const FacetTree::Hit c = tree_.closest(p, patch, hint);
+SurfacePoint ReferenceSurface::closest(const Point& p, const Sheet& sheet) const { return closest(p, sheet, -1); }
+
+SurfacePoint ReferenceSurface::closest(const Point& p, const Sheet& sheet, std::int32_t hint) const {
+    const FacetTree::Hit c = hit(p, sheet, hint);
     if (c.facet < 0) return {};
     return {c.position, c.facet, std::sqrt(c.distance2), interpolated_normal(c)};
 }
@@ -99,8 +111,8 @@ TargetPlace ReferenceSurface::place(const Point& p, std::int32_t patch, std::int
     return {c.facet, c.weights};
 }
 
-Point ReferenceSurface::project(const Point& p, std::int32_t patch, std::int32_t& hint) const {
-    const FacetTree::Hit c = tree_.closest(p, patch, hint);
+Point ReferenceSurface::project(const Point& p, const Sheet& sheet, std::int32_t& hint) const {
+    const FacetTree::Hit c = hit(p, sheet, hint);
     if (c.facet < 0) return p;
     hint = c.facet;
     if (target_) {

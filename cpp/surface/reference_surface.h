@@ -21,6 +21,16 @@ struct SurfacePoint {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, interpolated from the corners' normals inside the patch
 };
 
+/// What of a surface is meant: one patch, of which two sheets can lie close together (the skin of a wing near its trailing edge).
+struct Sheet {
+    std::int32_t patch;
+    Eigen::Vector3d up = Eigen::Vector3d::Zero();  ///< direction that the sheet faces, of any length; zero: either sheet
+
+    // NOLINTNEXTLINE(google-explicit-constructor): a patch is a sheet that faces anywhere
+    Sheet(std::int32_t of_patch) : patch(of_patch) {}
+    Sheet(std::int32_t of_patch, const Eigen::Vector3d& facing) : patch(of_patch), up(facing) {}
+};
+
 /// The input triangulation, kept unchanged: what nodes are brought back to after they were moved.
 ///
 /// Closest points are those of a FacetTree. Queries are const and may run in parallel.
@@ -37,16 +47,17 @@ class ReferenceSurface {
                      std::span<const std::int32_t> facet_patch = {}, double crease_angle = 40.0,
                      const Context& context = no_context());
 
-    SurfacePoint closest(const Point& p, std::int32_t patch = kAnyPatch) const;
+    /// Where the closest facet faces away from the sheet's direction, and one that does not is near, the latter's point.
+    SurfacePoint closest(const Point& p, const Sheet& sheet = kAnyPatch) const;
     /// The same, faster when `hint` is a facet near p (-1: none), see FacetTree::closest().
-    SurfacePoint closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
+    SurfacePoint closest(const Point& p, const Sheet& sheet, std::int32_t hint) const;
 
     /// Closest point, lifted off its facet by the quadratic that has the corners' normals, so that a curved surface is not
     /// flattened onto its facets (α = 1/2 of @cite boubekeur2008phong is exact for quadrics). The lift is zero on flat facets
     /// and never more than a tenth of the facet's height or 5e-4 of the surface's diagonal.
     /// With a target (set_target()) the target's point instead.
     /// @param hint in: facet near p or -1, out: facet of the closest point
-    Point project(const Point& p, std::int32_t patch, std::int32_t& hint) const;
+    Point project(const Point& p, const Sheet& sheet, std::int32_t& hint) const;
     /// Where p is on the facets of its patch. @param hint as in project()
     TargetPlace place(const Point& p, std::int32_t patch, std::int32_t& hint) const;
 
@@ -63,6 +74,7 @@ class ReferenceSurface {
 
   private:
     void compute_normals(double crease_angle, const Context& context);
+    FacetTree::Hit hit(const Point& p, const Sheet& sheet, std::int32_t hint) const;
     Eigen::Vector3d interpolated_normal(const FacetTree::Hit& c) const;
 
     FacetTree tree_;

@@ -100,6 +100,44 @@ TEST(ReferenceSurface, HintsDontChangeTheResult) {
     }
 }
 
+/// The skin of a wing of the given thickness, unrolled: one patch goes round its leading edge at x = 1 from the lower sheet to
+/// the upper one.
+ReferenceSurface thin_skin(double thickness) {
+    const Surface s = grid(
+        20,
+        [=](double x, double y) {
+            const double way = 2.0 * x;
+            return way <= 1.0 ? Point(1.0 - way, y, 0.0) : Point(way - 1.0, y, thickness * std::min(1.0, 20.0 * (way - 1.0)));
+        },
+        [](int) { return 0; });
+    return {s.points, s.triangles, s.patch};
+}
+
+TEST(ReferenceSurface, OfTwoSheetsThatLieCloseTheOneThatIsMeantIsFound) {
+    const ReferenceSurface skin = thin_skin(1e-3);
+    const Vector3d up(0.0, 0.0, 3.0);   // of any length
+    const Point p(0.63, 0.41, 0.4e-3);  // between the sheets, closer to the lower one, which faces down
+    const double faces = skin.closest(p).normal.z();
+    ASSERT_LT(skin.closest(p).distance, 0.41e-3);
+    const SurfacePoint other = skin.closest(p, {0, -faces * up});
+    EXPECT_NEAR(other.distance, 0.6e-3, 1e-12);
+    EXPECT_NEAR(other.normal.z(), -faces, 1e-9);
+    const SurfacePoint same = skin.closest(p, {0, faces * up});
+    EXPECT_EQ(same.position, skin.closest(p).position);
+    std::int32_t hint = skin.closest(p).facet;
+    EXPECT_NEAR(skin.project(p, {0, -faces * up}, hint).z(), 1e-3, 1e-12);
+    EXPECT_EQ(hint, other.facet);
+    // Seen along the sheets neither faces away.
+    EXPECT_EQ(skin.closest(p, {0, Vector3d::UnitX()}).position, skin.closest(p).position);
+}
+
+TEST(ReferenceSurface, ASheetThatIsFarIsNotMeant) {
+    const ReferenceSurface thick = thin_skin(0.1);
+    const Point p(0.63, 0.41, 0.04);
+    const double faces = thick.closest(p).normal.z();
+    EXPECT_EQ(thick.closest(p, {0, Vector3d(0.0, 0.0, -faces)}).position, thick.closest(p).position);
+}
+
 TEST(ReferenceSurface, EquallyCloseFacetsGiveTheLowestIndex) {
     const Surface s = grid(
         8, [](double x, double y) { return Point(x, y, 0); }, [](int) { return 0; });
