@@ -53,17 +53,9 @@ void for_each(std::int32_t n, const Context& context, Function f) {
     });
 }
 
-/// Combines f(first, last) of all blocks in their order. @param combine (so far, of a block) → together
-template <class Value, class Function, class Combine>
-Value reduce_blocks(std::int32_t n, Value start, Function f, Combine combine) {
-    std::vector<Value> parts(static_cast<std::size_t>((n + kBlock - 1) / kBlock), start);
-    for_blocks(n,
-               [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
-    for (const Value& part : parts) start = combine(start, part);
-    return start;
-}
-
-/// The same, and asks between groups of blocks whether to go on. @throws Error{cancelled}
+/// Combines f(first, last) of all blocks in their order, and asks between groups of blocks whether to go on.
+/// @param combine (so far, of a block) → together
+/// @throws Error{cancelled}
 template <class Value, class Function, class Combine>
 Value reduce_blocks(std::int32_t n, const Context& context, Value start, Function f, Combine combine) {
     std::vector<Value> parts(static_cast<std::size_t>((n + kBlock - 1) / kBlock), start);
@@ -71,6 +63,11 @@ Value reduce_blocks(std::int32_t n, const Context& context, Value start, Functio
                [&](std::int32_t first, std::int32_t last) { parts[static_cast<std::size_t>(first / kBlock)] = f(first, last); });
     for (const Value& part : parts) start = combine(start, part);
     return start;
+}
+
+template <class Value, class Function, class Combine>
+Value reduce_blocks(std::int32_t n, Value start, Function f, Combine combine) {
+    return reduce_blocks(n, no_context(), start, f, combine);
 }
 
 /// Calls f with at most that many threads for its loops. @param threads 0: as many as there are cores

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "anisotropy/geodesic_trace.h"
+#include "anisotropy/spread.h"
 #include "mesh/euler_operators.h"
 #include "prepare/remesh.h"
 #include "qmorph/edge_recovery.h"
@@ -136,32 +137,6 @@ class RowBuilder {
     /// Columns over which a value that an end forces on the row fades.
     double reach() const { return std::max(3.0, static_cast<double>(columns_) / 3.0); }
 
-    /// Values between the given ones at the row's ends that are as smooth as the distance from `wanted` allows: the least sum of
-    /// squared differences plus squared distances over reach². A closed row, which has no ends, is evened out over neighbours.
-    void spread(std::vector<double>& value, const std::vector<double>& wanted, double over) const {
-        const std::size_t n = columns_;
-        if (stack_.closed) {
-            std::vector<double> next(value.size());
-            for (int sweep = 0; sweep < 8; ++sweep) {
-                for (std::size_t i = 0; i <= n; ++i)
-                    next[i] = 0.5 * value[i] + 0.25 * (value[i > 0 ? i - 1 : n - 1] + value[i < n ? i + 1 : 1]);
-                value.swap(next);
-            }
-            return;
-        }
-        // (2 + pull)·v[i] − v[i−1] − v[i+1] = pull·wanted[i]: Thomas algorithm. Free ends follow their wish.
-        const double pull = 1.0 / (over * over);
-        std::vector<double> c(n + 1, 0.0);
-        std::vector<double> d(n + 1, 0.0);
-        d[0] = value[0];
-        for (std::size_t i = 1; i < n; ++i) {
-            const double m = 2.0 + pull - c[i - 1];
-            c[i] = 1.0 / m;
-            d[i] = (d[i - 1] + pull * wanted[i]) / m;
-        }
-        for (std::size_t i = n; i-- > 1;) value[i] = d[i] + c[i] * value[i + 1];
-    }
-
     /// Fractions of its length at which the nodes of a layer lie.
     std::vector<double> fractions(const std::vector<Vertex>& layer) const {
         std::vector<double> at_node(layer.size(), 0.0);
@@ -191,7 +166,7 @@ class RowBuilder {
     /// columns that come together at one end are squeezed all alike.
     void plan_shear() {
         const std::vector<double> wanted = lean_to_even_columns();
-        spread(shear_, std::vector<double>(columns_ + 1, 0.0), reach());
+        spread(shear_, std::vector<double>(columns_ + 1, 0.0), reach(), stack_.closed);
         for (std::size_t i = 0; i <= columns_; ++i) {
             if (is_end(i)) continue;
             shear_[i] = std::clamp(shear_[i] + wanted[i], -1.5, 1.5);
@@ -233,7 +208,7 @@ class RowBuilder {
         }
         // A column on a line has the height that the line's nodes give; the others lead over to it slowly, or the rows tilt.
         const std::vector<double> local = height_;
-        spread(height_, local, reach());
+        spread(height_, local, reach(), stack_.closed);
         std::size_t slim = 0;
         bool fits = true;
         for (std::size_t i = 0; i < columns_; ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cleanup/facing.h"
+#include "mesh/area_vector.h"
 #include "quality/metrics.h"
 #include "smoothing/laplacian.h"
 #include "smoothing/move_node.h"
@@ -75,8 +76,8 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
         const SurfacePoint middle = reference_.closest(centre, patch, hint);
         hint = middle.facet;
         const Eigen::Vector3d area = (p[2] - p[0]).cross(p[3] - p[1]);
-        bool upright = area.dot(middle.normal) > 0.0;
-        if (!upright) upright = area.dot(reference_.closest(centre, {patch, facing(mesh_, f)}, hint).normal) > 0.0;
+        const bool upright =
+            area.dot(middle.normal) > 0.0 || area.dot(reference_.closest(centre, {patch, facing(mesh_, f)}, hint).normal) > 0.0;
         const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
         const double judged = upright ? q : -std::abs(q);
         result.worst = std::min(result.worst, judged);
@@ -125,13 +126,13 @@ void Trial::gather_neighbourhood(const Region& region, std::vector<Face>& faces)
     }
 }
 
-void Trial::smooth(const Region& region) {
+void Trial::smooth(const Region& region, const Sheet& sheet) {
     Point target;
     std::int32_t hint = -1;
     for (int i = 0; i < kMeanSweeps; ++i) {
         for (const Vertex v : region.inner) {
             if (!laplacian_target(mesh_, v, target)) continue;
-            mesh_.position(v) = reference_.project(target, mesh_.info(region.faces[0]).patch, hint);
+            mesh_.position(v) = reference_.project(target, sheet, hint);
         }
     }
     const auto improve = [&](Vertex v, bool last) {
@@ -160,10 +161,12 @@ bool Trial::attempt(Region& region, const Replacement& replacement, const Demand
         const Vertex v = mesh_.from(h);
         places_.push_back({v, {mesh_.position(v), mesh_.info(v)}});
     }
+    Sheet sheet(mesh_.info(region.faces[0]).patch);
+    for (const Face f : region.faces) sheet.up += doubled_area_vector_of_quad(mesh_, f);
     ++tries_;
     work_ += faces_.size();
     editor_.replace(region, replacement);
-    smooth(region);
+    smooth(region, sheet);
     gather_neighbourhood(region, faces_);
     const Quality after = quality(faces_);
     if (is_acceptable(before, after, demands)) return true;

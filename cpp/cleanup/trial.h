@@ -53,7 +53,7 @@ class Trial {
     bool is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const;
     /// The region's faces and those round the nodes of its outline.
     void gather_neighbourhood(const Region& region, std::vector<Face>& faces);
-    void smooth(const Region& region);
+    void smooth(const Region& region, const Sheet& sheet);
 
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;

@@ -234,15 +234,16 @@ class Finish {
         const HalfEdge back_end = mesh_.prev(door);
         // The pentagon: the triangle's apex, then the quad's nodes.
         dissolve_edge(mesh_, M::edge(door));
+        const auto undo = [&] {
+            insert_edge(mesh_, back, mesh_.next(back_end));
+            return false;
+        };
         if (holds_a_node_twice) {
             // As round the end of a line. The new node must not be joined to that node twice.
             const std::array<Vertex, 5> nodes = pentagon(exit);
-            if (nodes[0] != nodes[3] && nodes[1] != nodes[3]) {
-                cut_with_node(exit);
-                return true;
-            }
-            insert_edge(mesh_, back, mesh_.next(back_end));
-            return false;
+            if (nodes[0] == nodes[3] || nodes[1] == nodes[3]) return undo();
+            cut_with_node(exit);
+            return true;
         }
         // The triangle takes the exit and the edge after it, or the one before it.
         const HalfEdge after = mesh_.next(exit);
@@ -250,11 +251,9 @@ class Finish {
         const double q_after = cut_quality(exit, mesh_.next(after));
         const double q_before = cut_quality(before, after);
         const bool doubled = std::max(q_after, q_before) <= kDoubled;
-        if (doubled && with_nodes) {
+        if (doubled && !with_nodes) return undo();
+        if (doubled) {
             cut_with_node(exit);
-        } else if (doubled) {
-            insert_edge(mesh_, back, mesh_.next(back_end));
-            return false;
         } else if (q_after >= q_before) {
             insert_edge(mesh_, exit, mesh_.next(after));
         } else {

@@ -75,28 +75,23 @@ class FinalSmoother {
 
     /// Visits the nodes round which something moved in this sweep or the last one: the blocks side by side, then the nodes whose
     /// star reaches into another block.
-    /// @param breathe called now and then
     /// @returns number of moves
-    int sweep(int number, const std::function<void()>& breathe) {
+    /// @throws Error{cancelled}
+    int sweep(int number, const Context& context) {
         const auto visit_nodes = [&](std::span<const Vertex> nodes) {
             int moves = 0;
             for (const Vertex v : nodes) moves += visit_if_awake(v, number) ? 1 : 0;
             return moves;
         };
-        int moves = 0;
-        breathe();
+        const auto visit_block = [&](std::int32_t first, std::int32_t last) {
+            return visit_nodes(
+                std::span(inner_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
+        };
+        int moves = reduce_blocks(static_cast<std::int32_t>(inner_.size()), context, 0, visit_block, std::plus<>());
         const auto at_once = static_cast<std::size_t>(blocks_at_once());
-        for (std::size_t start = 0; start < inner_.size(); start += at_once) {
-            const auto nodes = std::span(inner_).subspan(start, std::min(at_once, inner_.size() - start));
-            const auto visit_block = [&](std::int32_t first, std::int32_t last) {
-                return visit_nodes(nodes.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
-            };
-            moves += reduce_blocks(static_cast<std::int32_t>(nodes.size()), 0, visit_block, std::plus<>());
-            breathe();
-        }
         for (std::size_t start = 0; start < between_.size(); start += at_once) {
+            context.breathe();
             moves += visit_nodes(std::span(between_).subspan(start, std::min(at_once, between_.size() - start)));
-            breathe();
         }
         return moves;
     }
@@ -257,7 +252,8 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
     FinalSmoother smoother(mesh, reference, lines);
     while (result.sweeps < options.smoothing_passes) {
         const double done = static_cast<double>(result.sweeps) / options.smoothing_passes;
-        const int moves = smoother.sweep(++result.sweeps, [&] { context.report(done); });
+        context.report(done);
+        const int moves = smoother.sweep(++result.sweeps, context);
         result.moves += moves;
         const Statistics now = statistics(mesh);
         const bool at_rest =

@@ -14,8 +14,9 @@ using Eigen::Vector3d;
 
 constexpr double kLiftOfHeight = 0.1;  ///< limits of the lift off a facet
 constexpr double kLiftOfDiagonal = 5e-4;
-constexpr double kAway = -0.5;  ///< cosine between a facet and a direction from which it faces away
-constexpr double kThin = 2e-3;  ///< distance of a sheet's other side, over the diagonal, that is looked at
+constexpr double kAway = -0.5;    ///< cosine between a facet and a direction from which it faces away
+constexpr double kThin = 2e-3;    ///< distance of a sheet's other side, over the diagonal, that is looked at
+constexpr double kFarther = 2.0;  ///< and over the distance of the closest facet
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -93,7 +94,7 @@ FacetTree::Hit ReferenceSurface::hit(const Point& p, const Sheet& sheet, std::in
     const double facing = facet_normal_[at(closest.facet)].dot(sheet.up);
     if (facing >= 0.0 || facing >= kAway * sheet.up.norm()) return closest;
     const FacetTree::Hit other = tree_.closest_facing(p, sheet.patch, sheet.up);
-    const double reach = kThin * diagonal();
+    const double reach = std::max(kThin * diagonal(), kFarther * std::sqrt(closest.distance2));
     return other.facet >= 0 && other.distance2 < reach * reach ? other : closest;
 }
 
