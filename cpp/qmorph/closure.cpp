@@ -223,9 +223,10 @@ class Finish {
     }
 
     /// Moves the triangle of `door` through the quad behind it, so that it lies at the half-edge `exit` of that quad.
+    /// @param door in the triangle; where it is closed again, the edge may have another handle
     /// @param with_nodes puts a node into pentagons that no diagonal can cut
-    /// @returns false, and nothing changed, if that is not possible
-    bool step(HalfEdge door, HalfEdge exit, bool with_nodes) {
+    /// @returns false, and nothing else changed, if that is not possible
+    bool step(HalfEdge& door, HalfEdge exit, bool with_nodes) {
         const Vertex apex = mesh_.to(mesh_.next(door));
         bool holds_a_node_twice = false;
         for (const HalfEdge h : mesh_.halfedges(mesh_.face(M::twin(door)))) holds_a_node_twice |= mesh_.from(h) == apex;
@@ -236,6 +237,7 @@ class Finish {
         dissolve_edge(mesh_, M::edge(door));
         const auto undo = [&] {
             insert_edge(mesh_, back, mesh_.next(back_end));
+            door = mesh_.prev(back);
             return false;
         };
         if (holds_a_node_twice) {
@@ -274,11 +276,13 @@ class Finish {
 
     /// A triangle at the exit and two quads round a new node in the middle of the pentagon: all its edges are new.
     void cut_with_node(HalfEdge exit) {
-        const std::array<Vertex, 5> nodes = pentagon(exit);
         Point centre = Point::Zero();
-        for (const Vertex node : nodes) centre += mesh_.position(node) / 5.0;
-        const Vertex v = split_face(mesh_, mesh_.face(exit), centre);
-        for (const std::size_t i : {2u, 4u}) dissolve_edge(mesh_, M::edge(mesh_.find_halfedge(v, nodes[i])));
+        for (const Vertex node : pentagon(exit)) centre += mesh_.position(node) / 5.0;
+        const HalfEdge third = mesh_.next(mesh_.next(exit));
+        const HalfEdge fifth = mesh_.prev(exit);
+        split_face(mesh_, mesh_.face(exit), centre);
+        // By their place in the pentagon, since it may hold a node twice.
+        for (const HalfEdge side : {third, fifth}) dissolve_edge(mesh_, M::edge(mesh_.prev(side)));
     }
 
     /// Scaled Jacobian of the quad that remains when the nodes from(h) … from(g) (two edges) are cut off a pentagon.

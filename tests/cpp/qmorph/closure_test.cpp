@@ -170,6 +170,26 @@ TEST(FinishRemaining, ATriangleWalksRoundTheEndOfALine) {
     expect_quads(p);
 }
 
+/// There the triangle cannot come out at the side of the line: it stays a triangle, and the other one comes to it.
+TEST(FinishRemaining, AWayThatIsNoneIsGivenUp) {
+    shapes::Shape shape;
+    shape.points = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {1.0, 2.0, 0.0}, {1.0, 0.7, 0.0},
+                    {3.0, 0.5, 0.0}, {2.0, 2.5, 0.0}, {4.0, 2.0, 0.0}};
+    shape.triangles = {{0, 1, 3}, {3, 1, 2}, {3, 2, 0}, {1, 4, 2}, {4, 5, 2}, {4, 6, 5}};
+    Prepared p(shape);
+    dissolve_edge(p.mesh, M::edge(edge(p.mesh, 3, 2)));
+    dissolve_edge(p.mesh, M::edge(edge(p.mesh, 4, 2)));
+    p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line = 9;
+    p.mesh.info(Vertex(3)).kind = NodeKind::corner;
+    const FinishResult result = finish_remaining(p.mesh);
+    EXPECT_EQ(result.walks, 1);
+    EXPECT_EQ(result.left, 0);
+    EXPECT_EQ(p.mesh.face_count(), 3);
+    ASSERT_TRUE(edge(p.mesh, 1, 3).is_valid());
+    EXPECT_EQ(p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line, 9);
+    expect_quads(p);
+}
+
 TEST(FinishRemaining, AnySurfaceOfEvenlyManyTrianglesEndsAllQuads) {
     for (const auto& shape :
          {shapes::sphere(13, 9), shapes::torus(15, 8), shapes::cylinder(11, 7), shapes::grid(7, 9, 1.0, 0.3)}) {
