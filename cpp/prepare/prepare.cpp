@@ -69,14 +69,15 @@ class Prepare {
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
-            field.assign(mesh_, hint_, line_edges(), source_bounds(), context_);
+            const std::vector<char> lines = line_edges();
+            field.assign(mesh_, hint_, lines, source_bounds(), context_);
             std::vector<char> zone = zone_of_patches();
             const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference,
                                                     {.sweeps = 1,
                                                      .deviation = sagitta_ / input_.reference.diagonal(),
                                                      .patches = chosen_,
                                                      .coverage = &*coverage_,
-                                                     .most_triangles = most_triangles(),
+                                                     .most_triangles = most_triangles(lines),
                                                      .context = &context_});
             if (sweep + 1 >= kLeastSweeps && r.splits + r.collapses < kAtRest * mesh_.face_count()) break;
         }
@@ -232,7 +233,8 @@ class Prepare {
     }
 
     /// A limit on work: between slivers that can neither be swapped nor collapsed, splits would go on and on.
-    std::int32_t most_triangles() const {
+    /// @param lines per edge: 1 for edges of lines
+    std::int32_t most_triangles(const std::vector<char>& lines) const {
         double wanted = 0.0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             const Face f(i);
@@ -242,7 +244,6 @@ class Prepare {
             // An equilateral triangle of that edge.
             wanted += doubled_area_vector(mesh_, f).norm() / (0.5 * std::numbers::sqrt3 * size * size);
         }
-        const std::vector<char> lines = line_edges();
         wanted += kPerLineEdge * static_cast<double>(std::count(lines.begin(), lines.end(), 1));
         const double most = kMostOfWanted * wanted + kFewTriangles;
         constexpr auto kAny = std::numeric_limits<std::int32_t>::max();

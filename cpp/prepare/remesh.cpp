@@ -164,7 +164,8 @@ class Remesh {
             zone_[static_cast<std::size_t>(v.index())] = 1;
             std::int32_t hint = -1;
             const Point kept = at(v);
-            mesh_.position(v) = reference_.project(kept, {mesh_.info(mesh_.face(mesh_.halfedge(v))).patch, node_normal(mesh_, v)}, hint);
+            mesh_.position(v) =
+                reference_.project(kept, {mesh_.info(mesh_.face(mesh_.halfedge(v))).patch, node_normal(mesh_, v)}, hint);
             if (worst_quality(mesh_, v, node_normal(mesh_, v)) <= 0.0) mesh_.position(v) = kept;
             ++result_.splits;
             swap_round(v);

@@ -151,23 +151,33 @@ TEST(FinishRemaining, RowsAndLinesAreNotCrossed) {
     expect_sound(line);
 }
 
+/// The triangle 0 1 3 and the quad 3 1 2 0 behind it: the line from 1 ends at 3, between them.
+Prepared with_a_line_that_ends(const shapes::Shape& shape) {
+    Prepared p(shape);
+    dissolve_edge(p.mesh, M::edge(edge(p.mesh, 3, 2)));
+    p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line = 9;
+    p.mesh.info(Vertex(3)).kind = NodeKind::corner;
+    return p;
+}
+
+void expect_quads_and_the_line(const Prepared& p) {
+    ASSERT_TRUE(edge(p.mesh, 1, 3).is_valid());
+    EXPECT_EQ(p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line, 9);
+    expect_quads(p);
+}
+
 /// The only way leads round the end of a line that juts into a triangle's outline: the pentagon there holds a node twice.
 TEST(FinishRemaining, ATriangleWalksRoundTheEndOfALine) {
     shapes::Shape shape;
     shape.points = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {1.0, 2.0, 0.0}, {1.0, 0.7, 0.0}, {-1.0, 1.5, 0.0}};
     shape.triangles = {{0, 1, 3}, {3, 1, 2}, {3, 2, 0}, {0, 2, 4}};
-    Prepared p(shape);
-    dissolve_edge(p.mesh, M::edge(edge(p.mesh, 3, 2)));
-    p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line = 9;
-    p.mesh.info(Vertex(3)).kind = NodeKind::corner;
+    Prepared p = with_a_line_that_ends(shape);
     const FinishResult result = finish_remaining(p.mesh);
     EXPECT_EQ(result.walks, 1);
     EXPECT_EQ(result.left, 0);
     EXPECT_EQ(p.mesh.face_count(), 3);
     EXPECT_EQ(p.mesh.vertex_count(), 6);
-    ASSERT_TRUE(edge(p.mesh, 1, 3).is_valid());
-    EXPECT_EQ(p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line, 9);
-    expect_quads(p);
+    expect_quads_and_the_line(p);
 }
 
 /// There the triangle cannot come out at the side of the line: it stays a triangle, and the other one comes to it.
@@ -176,18 +186,13 @@ TEST(FinishRemaining, AWayThatIsNoneIsGivenUp) {
     shape.points = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {1.0, 2.0, 0.0}, {1.0, 0.7, 0.0},
                     {3.0, 0.5, 0.0}, {2.0, 2.5, 0.0}, {4.0, 2.0, 0.0}};
     shape.triangles = {{0, 1, 3}, {3, 1, 2}, {3, 2, 0}, {1, 4, 2}, {4, 5, 2}, {4, 6, 5}};
-    Prepared p(shape);
-    dissolve_edge(p.mesh, M::edge(edge(p.mesh, 3, 2)));
+    Prepared p = with_a_line_that_ends(shape);
     dissolve_edge(p.mesh, M::edge(edge(p.mesh, 4, 2)));
-    p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line = 9;
-    p.mesh.info(Vertex(3)).kind = NodeKind::corner;
     const FinishResult result = finish_remaining(p.mesh);
     EXPECT_EQ(result.walks, 1);
     EXPECT_EQ(result.left, 0);
     EXPECT_EQ(p.mesh.face_count(), 3);
-    ASSERT_TRUE(edge(p.mesh, 1, 3).is_valid());
-    EXPECT_EQ(p.mesh.info(M::edge(edge(p.mesh, 1, 3))).line, 9);
-    expect_quads(p);
+    expect_quads_and_the_line(p);
 }
 
 TEST(FinishRemaining, AnySurfaceOfEvenlyManyTrianglesEndsAllQuads) {
