@@ -8,12 +8,14 @@
 #include "anisotropy/local_size.h"
 #include "anisotropy/multi_pass.h"
 #include "cleanup/cleanup.h"
+#include "cleanup/onto_tips.h"
 #include "features/feature_lines.h"
 #include "features/parity.h"
 #include "features/patches.h"
 #include "features/reference_lines.h"
 #include "features/ridges.h"
 #include "features/small_patches.h"
+#include "features/tips.h"
 #include "input/check.h"
 #include "input/repair.h"
 #include "input/spatial_order.h"
@@ -107,6 +109,7 @@ class Pipeline {
         const std::vector<FeatureLine> lines = find_lines(frame, in_fold);
         context_.report(0.3);
         const ReferenceLines reference_lines(mesh_, lines);
+        tips_ = find_tips(mesh_);
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
         for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
@@ -115,8 +118,8 @@ class Pipeline {
 
         begin("prepare", 0.05, 0.1);
         std::vector<Source> sources = sources_;
-        const bool remeshed =
-            prepare(sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold});
+        const bool remeshed = prepare(
+            sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold, target_ != nullptr});
         end();
         if (remeshed) snapshot("prepare", frame);
 
@@ -229,7 +232,7 @@ class Pipeline {
         report().patches = find_patches(mesh_);
         context_.breathe();
         if (target_) return lines;  // a CAD shape has borders of its faces there
-        const std::vector<char> chosen = patches_to_remesh(mesh_, options_);
+        const std::vector<char> chosen = patches_to_remesh(mesh_, options_, 1.0);
         if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
         const SizeRange range = size_range(unit_points_, triangles_, 1.0, frame.scale, options_);
         Ridges ridges = find_ridges(mesh_, chosen, {.width = kFoldWidth * range.largest});
@@ -291,6 +294,7 @@ class Pipeline {
     void smooth_and_repair(const ReferenceSurface& reference, const ReferenceLines& lines) {
         int inverted = mesh_.face_slots();
         for (int round = 0;; ++round) {
+            move_onto_tips(mesh_, reference, tips_);
             const FinalSmoothingResult result = smooth_mesh(mesh_, reference, options_, context_, lines);
             if (result.inverted == 0 || result.inverted >= inverted || !options_.cleanup || round == kRepairRounds) return;
             inverted = result.inverted;
@@ -374,6 +378,7 @@ class Pipeline {
     std::vector<std::array<std::int32_t, 3>> ordered_triangles_;
     SurfaceMesh mesh_;
     std::vector<Point> unit_points_;
+    std::vector<Tip> tips_;
     Topology before_;
     QuadMeshResult result_;
     std::string stage_;

@@ -131,7 +131,7 @@ void Trial::smooth(const Region& region, const Sheet& sheet) {
     std::int32_t hint = -1;
     for (int i = 0; i < kMeanSweeps; ++i) {
         for (const Vertex v : region.inner) {
-            if (!laplacian_target(mesh_, v, target)) continue;
+            if (!is_movable(mesh_, v) || !laplacian_target(mesh_, v, target)) continue;
             mesh_.position(v) = reference_.project(target, sheet, hint);
         }
     }

@@ -17,7 +17,7 @@ constexpr double kPoorShape = 0.2;
 constexpr double kPoorShare = 0.02;      ///< of a patch's triangles
 constexpr double kSteep = 0.35;          ///< change of the triangles' size per unit of way
 constexpr double kSteepShare = 0.1;      ///< of a patch's edges
-constexpr double kSharpShare = 0.015;    ///< of a patch's edges
+constexpr double kCoarseShare = 0.015;   ///< of a patch's edges
 constexpr std::int32_t kFewEdges = 100;  ///< fewer say nothing about a grading
 
 double size_at(const SurfaceMesh& mesh, Vertex v) {
@@ -31,9 +31,19 @@ double size_at(const SurfaceMesh& mesh, Vertex v) {
     return triangles > 0 ? std::sqrt(area / triangles) : 0.0;
 }
 
+/// Of an edge of the given size across the edge between two triangles, whose turn happens over half of either's height.
+/// @param length of their common edge; @param left, right doubled area vectors
+double sagitta(double size, double length, const Eigen::Vector3d& left, const Eigen::Vector3d& right) {
+    const double l = left.norm();
+    const double r = right.norm();
+    if (!(l > 0.0) || !(r > 0.0)) return 0.0;
+    const double turn = left.cross(right).norm() / (l * r);  // small: its sine
+    return 0.25 * size * size * turn * length / (l + r);
+}
+
 }  // namespace
 
-std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle) {
+std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle, double most_sagitta) {
     std::vector<PatchAssessment> patches;
     for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
         if (mesh.is_deleted(Face(i))) continue;
@@ -51,23 +61,27 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curv
     std::vector<std::int32_t> edges(patches.size(), 0);
     std::vector<std::int32_t> steep(patches.size(), 0);
     std::vector<std::int32_t> sharp(patches.size(), 0);
+    std::vector<std::int32_t> off(patches.size(), 0);
     const double cosine = std::cos(curvature_angle * std::numbers::pi / 180.0);
     for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
         if (mesh.is_deleted(Edge(i)) || mesh.is_constrained(Edge(i))) continue;
         const HalfEdge h = M::halfedge(Edge(i));
         const auto patch = static_cast<std::size_t>(mesh.info(mesh.face(h)).patch);
-        const double step =
-            size[static_cast<std::size_t>(mesh.from(h).index())] - size[static_cast<std::size_t>(mesh.to(h).index())];
+        const double from = size[static_cast<std::size_t>(mesh.from(h).index())];
+        const double to = size[static_cast<std::size_t>(mesh.to(h).index())];
+        const double length = mesh.length(h);
         ++edges[patch];
-        steep[patch] += std::abs(step) > kSteep * mesh.length(h);
+        steep[patch] += std::abs(to - from) > kSteep * length;
         const Eigen::Vector3d left = doubled_area_vector(mesh, mesh.face(h));
         const Eigen::Vector3d right = doubled_area_vector(mesh, mesh.face(M::twin(h)));
         sharp[patch] += left.dot(right) < cosine * left.norm() * right.norm();
+        off[patch] += sagitta(0.5 * (from + to), length, left, right) > most_sagitta;
     }
     for (std::size_t p = 0; p < patches.size(); ++p) {
         patches[p].is_poor = patches[p].poor > kPoorShare * patches[p].triangles;
         patches[p].is_graded = edges[p] >= kFewEdges && steep[p] > kSteepShare * edges[p];
-        patches[p].is_coarse = curvature_angle > 0.0 && edges[p] >= kFewEdges && sharp[p] > kSharpShare * edges[p];
+        const bool turns = edges[p] >= kFewEdges && sharp[p] > kCoarseShare * edges[p];
+        patches[p].is_coarse = curvature_angle > 0.0 && (turns || off[p] > kCoarseShare * edges[p]);
     }
     return patches;
 }

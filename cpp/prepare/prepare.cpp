@@ -22,15 +22,16 @@ using M = SurfaceMesh;
 
 constexpr int kSweeps = 12;
 constexpr int kLeastSweeps = 4;
-constexpr double kAtRest = 0.01;        ///< of the triangles that change in a sweep: below it, it is the last one
-constexpr double kLineSagitta = 5e-5;   ///< of line edges off the input's line, over the model's diagonal
-constexpr double kRidgeSagitta = 2e-4;  ///< of the edges of ridges
-constexpr double kSagitta = 4e-4;       ///< of edges off the surface, over the model's diagonal
-constexpr double kSagittaAsked = 0.1;   ///< the same over the wanted size, where one is asked for
+constexpr double kAtRest = 0.01;         ///< of the triangles that change in a sweep: below it, it is the last one
+constexpr double kLineSagitta = 5e-5;    ///< of line edges off the input's line, over the model's diagonal
+constexpr double kRidgeSagitta = 2e-4;   ///< of the edges of ridges
+constexpr double kSagitta = 4e-4;        ///< of edges off the surface, over the model's diagonal
+constexpr double kCoarseSagitta = 2e-3;  ///< of quads made of the triangles as they are, over the model's diagonal
+constexpr double kSagittaAsked = 0.1;    ///< the same over the wanted size, where one is asked for
 constexpr double kUncovered =
     1.25;  ///< bound for the surface's points off the triangles, over that of the triangles off the surface
 constexpr double kMostTriangles = 6.0;    ///< that may be made of one, where no size is asked for
-constexpr double kFewTriangles = 2000.0;  ///< that may be made in any case
+constexpr double kFewTriangles = 6000.0;  ///< that may be made in any case
 constexpr double kMostOfWanted = 4.0;     ///< triangles over those that the sizes ask for, beyond which no edge is split
 constexpr double kPerLineEdge = 4.0;      ///< triangles that an edge of a line may ask for, however narrow the surface is
 constexpr double kAlongSource = 2.0;      ///< wanted length of merged edges over the largest size
@@ -88,7 +89,9 @@ class Prepare {
 
   private:
     void choose_patches() {
-        for (const PatchAssessment& patch : assess_patches(mesh_, options_.curvature_angle)) {
+        const double most_sagitta =
+            input_.has_target ? std::numeric_limits<double>::max() : kCoarseSagitta * input_.reference.diagonal();
+        for (const PatchAssessment& patch : assess_patches(mesh_, options_.curvature_angle, most_sagitta)) {
             chosen_.push_back(is_to_remesh(patch, options_) ? 1 : 0);
             if (!chosen_.back()) continue;
             result_.poor += patch.is_poor;
@@ -291,9 +294,9 @@ class Prepare {
 
 }  // namespace
 
-std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options) {
+std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options, double diagonal) {
     std::vector<char> chosen;
-    for (const PatchAssessment& patch : assess_patches(mesh, options.curvature_angle))
+    for (const PatchAssessment& patch : assess_patches(mesh, options.curvature_angle, kCoarseSagitta * diagonal))
         chosen.push_back(is_to_remesh(patch, options) ? 1 : 0);
     return chosen;
 }

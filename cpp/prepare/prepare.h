@@ -34,10 +34,12 @@ struct PrepareInput {
     const ReferenceLines& reference_lines;
     double unit = 1.0;                   ///< the user's lengths over the mesh's
     std::span<const char> in_fold = {};  ///< see Ridges::in_fold
+    bool has_target = false;  ///< the nodes go to a surface of their own: how far quads are off the triangles says nothing
 };
 
-/// Per patch: 1 where it is to be remeshed. @param mesh fresh from find_features() and find_patches()
-std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options);
+/// Per patch: 1 where it is to be remeshed. @param mesh fresh from find_features() and find_patches(); @param diagonal of the
+/// model
+std::vector<char> patches_to_remesh(const SurfaceMesh& mesh, const Options& options, double diagonal);
 
 /// Remeshes the patches whose triangles would not hold quads (see assess_patches()), or all where Options::size asks for a size:
 /// towards a size field from the curvature, the wanted size and a bounded growth, with the nodes of lines redistributed along

@@ -70,6 +70,17 @@ TEST(QuadMesh, Cube) {
     EXPECT_LT(result.report.hausdorff_relative, 1e-9);
 }
 
+TEST(QuadMesh, TheTopOfAConeIsANode) {
+    Options options;
+    options.prepare = false;
+    for (const double height : {0.5, 1.0, 2.0}) {
+        const shapes::Shape cone = shapes::cone(14, 7, height);
+        const QuadMeshResult result = meshed(cone, {}, options);
+        expect_good(cone, result);
+        EXPECT_NE(std::find(result.points.begin(), result.points.end(), cone.points.back()), result.points.end()) << height;
+    }
+}
+
 TEST(QuadMesh, SmallAndOddSurfaces) {
     shapes::Shape odd = shapes::grid(7, 5);
     odd.triangles.erase(odd.triangles.begin());

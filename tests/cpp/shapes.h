@@ -89,6 +89,26 @@ inline Shape sphere(int n, int m, double radius = 1.0) {
     return shape;
 }
 
+/// A cone of radius 1 round z, open below: n meridians and m rings; the last point is its top at (0, 0, height).
+inline Shape cone(int n, int m, double height) {
+    Shape shape;
+    for (int j = 0; j < m; ++j) {
+        const double radius = 1.0 - static_cast<double>(j) / m;
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / n;
+            shape.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height * (1.0 - radius));
+        }
+    }
+    shape.points.emplace_back(0.0, 0.0, height);
+    for (int i = 0; i < n; ++i) {
+        const std::int32_t right = (i + 1) % n;
+        for (int j = 0; j + 1 < m; ++j)
+            shape.add_quad(j * n + i, j * n + right, (j + 1) * n + right, (j + 1) * n + i, (i + j) % 2 == 1);
+        shape.triangles.push_back({(m - 1) * n + i, (m - 1) * n + right, n * m});
+    }
+    return shape;
+}
+
 inline Shape torus(int n, int m, double major = 2.0, double minor = 0.7) {
     Shape shape;
     for (int j = 0; j < m; ++j) {

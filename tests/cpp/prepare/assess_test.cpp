@@ -10,11 +10,11 @@
 namespace anisoquad {
 namespace {
 
-PatchAssessment assess(const Surface& s) {
+PatchAssessment assess(const Surface& s, double sagitta = 0.1) {
     SurfaceMesh mesh = from_arrays(s.points, s.triangles);
     find_features(mesh, {}, {});
     EXPECT_EQ(find_patches(mesh), 1);
-    return assess_patches(mesh, 30.0).at(0);
+    return assess_patches(mesh, 30.0, sagitta).at(0);
 }
 
 /// A cylinder whose rings lie closer and closer: each is `step` times as high as the one before.
@@ -50,6 +50,13 @@ TEST(AssessPatches, SteepGradingIsSeenAndAGentleOneIsNot) {
 TEST(AssessPatches, TrianglesThatTurnTooFarAreCoarse) {
     EXPECT_TRUE(assess(strip_cylinder(10, 20, 1.0)).is_coarse);  // by 36 degrees, which is no feature line yet
     EXPECT_FALSE(assess(strip_cylinder(24, 20, 1.0)).is_coarse);
+}
+
+TEST(AssessPatches, TrianglesAreCoarseWhoseQuadsWouldLeaveTheSurface) {
+    // Of radius 0.1, with facets 0.026 wide and 0.025 high: their middles are 0.026² / 0.8 off it.
+    const Surface cylinder = strip_cylinder(24, 40, 1.0);
+    EXPECT_TRUE(assess(cylinder, 6e-4).is_coarse);
+    EXPECT_FALSE(assess(cylinder, 1.2e-3).is_coarse);
 }
 
 }  // namespace
