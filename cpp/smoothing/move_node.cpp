@@ -1,6 +1,7 @@
 #include "smoothing/move_node.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "smoothing/star.h"
 #include "surface/surface_fit.h"
@@ -16,10 +17,12 @@ constexpr double kAtRest = 0.01;  ///< steps below this over the length of an ed
 constexpr double kUpright = 1e-9;
 
 /// A move passes if it inverts nothing and the worst element stays above the lower of its old quality and what is good enough.
-bool is_acceptable(const Star& star, const Star::Quality& before, const Point& p, double good_enough) {
+/// @param before worst element before the move, asked for only where it matters
+template <class Before>
+bool is_acceptable(const Star& star, const Before& before, const Point& p, double good_enough) {
     const double worst = star.quality(p).worst;
-    if (worst > kUpright) return worst >= std::min(before.worst, good_enough);
-    return before.worst <= kUpright && star.tangle(p) < star.tangle(star.centre());
+    if (worst > kUpright) return worst >= good_enough || worst >= before();
+    return before() <= kUpright && star.tangle(p) < star.tangle(star.centre());
 }
 
 }  // namespace
@@ -47,11 +50,11 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
     if (!is_movable(mesh, v)) return false;
     if ((target - mesh.position(v)).norm() < kAtRest * mesh.length(mesh.halfedge(v)) || !star.gather(mesh, v)) return false;
     if (reference) star.see_along_surface(*reference, hint ? *hint : -1);
-    const Star::Quality before = star.quality(star.centre());
+    std::optional<double> worst;
+    const auto before = [&] { return worst ? *worst : *(worst = star.quality(star.centre()).worst); };
     // The exponential map of a folded ring is no map of the surface.
     SurfaceFit fit;
-    const bool fitted =
-        before.worst > kUpright && !star.is_on_fold() && !(reference && star.is_flat()) && fit_surface(mesh, v, fit);
+    const bool fitted = !(reference && star.is_flat()) && before() > kUpright && !star.is_on_fold() && fit_surface(mesh, v, fit);
     Vector3d step = target - star.centre();
     if (star.is_on_fold()) step = star.along_fold(step);
     std::int32_t facet = hint ? *hint : -1;
@@ -61,7 +64,7 @@ bool move_node(SurfaceMesh& mesh, Vertex v, const Point& target, const Reference
         if (reference) p = reference->project(p, {star.patch(), star.normal()}, facet);
         if (p == star.centre()) return false;
         if (!p.allFinite() || !is_acceptable(star, before, p, good_enough)) continue;
-        if (reference && before.worst > kUpright && !star.stays_near(*reference, p)) continue;
+        if (reference && !star.stays_near(*reference, p) && before() > kUpright) continue;
         mesh.position(v) = p;
         mesh.info(v).input = -1;
         if (hint) *hint = facet;

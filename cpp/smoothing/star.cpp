@@ -35,13 +35,15 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     hint_ = -1;
     has_quads_only_ = true;
     int edges = 0;
+    std::array<Vector3d, kCapacity> area;
     for (HalfEdge h : mesh.outgoing(v)) {
         edge_length_ += mesh.length(h);
         ++edges;
         const Face f = mesh.face(h);
         if (!f.is_valid()) continue;
         if (size_ == kCapacity) return false;
-        Wedge& w = wedges_[static_cast<std::size_t>(size_++)];
+        const auto i = static_cast<std::size_t>(size_++);
+        Wedge& w = wedges_[i];
         const HalfEdge after = mesh.next(h);
         w.next = mesh.position(mesh.to(h));
         w.opposite = mesh.position(mesh.to(after));
@@ -56,7 +58,8 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
             w.after_next_length = w.after_next.norm();
             w.before_previous_length = w.before_previous.norm();
         }
-        normal_ += area_vector(w);
+        area[i] = area_vector(w);
+        normal_ += area[i];
         patch_ = std::max(patch_, mesh.info(f).patch);
     }
     if (size_ == 0 || !(edge_length_ > 0.0)) return false;
@@ -69,9 +72,9 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     least_cosine_ = 1.0;
     upright_ = 0.0;
     is_on_fold_ = false;
-    for (int i = 0; i < size_; ++i) {
-        const Vector3d area = area_vector(wedges_[static_cast<std::size_t>(i)]);
-        if (area.norm() > 0.0) least_cosine_ = std::min(least_cosine_, area.dot(normal_) / area.norm());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
+        const double size = area[i].norm();
+        if (size > 0.0) least_cosine_ = std::min(least_cosine_, area[i].dot(normal_) / size);
     }
     return true;
 }
@@ -142,20 +145,21 @@ Vector3d Star::area_vector(const Wedge& w) const {
                   : (w.next - centre_).cross(w.previous - centre_).eval();
 }
 
-double Star::quality(const Wedge& wedge, const Point& p, double& ratio, double& sines) const {
+Star::FaceQuality Star::quality(const Wedge& wedge, const Point& p) const {
     const Vector3d first = wedge.next - p;
     const Vector3d last = p - wedge.previous;
     if (!wedge.quad) {
         const Vector3d area = first.cross(wedge.previous - p);
         const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
-        const double shape = 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum;
-        return sines = area.dot(wedge.up) > upright_ * area.norm() ? std::min(1.0, shape) : -std::min(1.0, shape);
+        const double shape = std::min(1.0, 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum);
+        const double quality = area.dot(wedge.up) > upright_ * area.norm() ? shape : -shape;
+        return {quality, quality, 1.0};
     }
     const double first_length = first.norm();
     const double last_length = last.norm();
     const double shortest = std::min({first_length, wedge.after_next_length, wedge.before_previous_length, last_length});
-    if (!(shortest > 0.0)) return -1.0;
-    ratio = std::max({first_length, wedge.after_next_length, wedge.before_previous_length, last_length}) / shortest;
+    if (!(shortest > 0.0)) return {};
+    const double longest = std::max({first_length, wedge.after_next_length, wedge.before_previous_length, last_length});
     const Vector3d axes = (wedge.opposite - p).cross(wedge.across);
     const double length = axes.norm();
     // A quad that is turned over is good by its own normal; seen along the surface's it is not.
@@ -166,30 +170,11 @@ double Star::quality(const Wedge& wedge, const Point& p, double& ratio, double& 
     const double at_opposite = up.dot(wedge.opposite_area) / (wedge.after_next_length * wedge.before_previous_length);
     const double at_previous = up.dot(wedge.before_previous.cross(last)) / (wedge.before_previous_length * last_length);
     const double worst = std::min({at_centre, at_next, at_opposite, at_previous});
-    sines = 0.25 * (at_centre + at_next + at_opposite + at_previous);
-    return upright ? worst : std::min(worst, 0.0);
+    return {upright ? worst : std::min(worst, 0.0), 0.25 * (at_centre + at_next + at_opposite + at_previous), longest / shortest};
 }
 
 Star::Quality Star::quality(const Point& p) const {
-    Quality result{1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
-    for (int i = 0; i < size_; ++i) {
-        double ratio = 1.0;
-        double sines = -1.0;
-        const double q = quality(wedges_[static_cast<std::size_t>(i)], p, ratio, sines);
-        const double lack = std::max(0.0, kPoor - q);
-        result.worst = std::min(result.worst, q);
-        result.mean += q;
-        result.sines += sines;
-        result.lack += lack * lack;
-        const double stretch = 2.0 * (ratio - 1.0) / (ratio + 1.0);
-        result.stretch += stretch * stretch;
-        result.ratio = std::max(result.ratio, ratio);
-    }
-    result.mean /= size_;
-    result.sines /= size_;
-    result.lack /= size_;
-    result.stretch /= size_;
-    return result;
+    return Quality::of_faces(size_, [&](int i) { return quality(wedges_[static_cast<std::size_t>(i)], p); });
 }
 
 int Star::crossed(const Point& p) const {

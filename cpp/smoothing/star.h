@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -65,6 +66,16 @@ class Star {
         /// What a place of the node is worth in the final smoothing: the corners' mean sine, less what poor elements lack, less a
         /// little for stretched ones, since the scaled Jacobian alone lets an edge shrink to nothing.
         double score() const { return sines - lack - kStretchWeight * stretch; }
+        /// ≈ ln r of a quad's ratio r.
+        static double stretch_of(double r) { return 2.0 * (r - 1.0) / (r + 1.0); }
+        /// Of so many faces. @param measure callable, i → FaceQuality of the i-th face
+        template <class Measure>
+        static Quality of_faces(int faces, const Measure& measure);
+    };
+    struct FaceQuality {
+        double quality = -1.0;
+        double sines = -1.0;  ///< mean of the corners; the quality of a triangle
+        double ratio = 1.0;   ///< longest over shortest edge; 1 for a triangle
     };
     /// Quality of the faces with the node at p.
     Quality quality(const Point& p) const;
@@ -95,9 +106,7 @@ class Star {
     Point middle(const Wedge& wedge, const Point& p) const;
     double distance(const ReferenceSurface& reference, const Point& p) const;
     void find_fold();
-    /// @param ratio receives longest over shortest edge of a quad, 1 for a triangle
-    /// @param sines receives the mean sine of the corners of a quad, the quality of a triangle
-    double quality(const Wedge& wedge, const Point& p, double& ratio, double& sines) const;
+    FaceQuality quality(const Wedge& wedge, const Point& p) const;
 
     std::array<Wedge, kCapacity> wedges_;
     int size_ = 0;
@@ -112,5 +121,26 @@ class Star {
     double least_cosine_ = 1.0;                            ///< between a face and normal()
     bool has_quads_only_ = false;
 };
+
+template <class Measure>
+Star::Quality Star::Quality::of_faces(int faces, const Measure& measure) {
+    Quality result{1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+    for (int i = 0; i < faces; ++i) {
+        const FaceQuality face = measure(i);
+        const double lack = std::max(0.0, kPoor - face.quality);
+        const double stretch = stretch_of(face.ratio);
+        result.worst = std::min(result.worst, face.quality);
+        result.mean += face.quality;
+        result.sines += face.sines;
+        result.lack += lack * lack;
+        result.stretch += stretch * stretch;
+        result.ratio = std::max(result.ratio, face.ratio);
+    }
+    result.mean /= faces;
+    result.sines /= faces;
+    result.lack /= faces;
+    result.stretch /= faces;
+    return result;
+}
 
 }  // namespace anisoquad

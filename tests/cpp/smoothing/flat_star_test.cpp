@@ -43,6 +43,30 @@ TEST(FlatStar, DerivativesAreThoseOfTheStarInSpace) {
     }
 }
 
+TEST(FlatStar, QualityIsThatOfTheStarInSpace) {
+    const quad_grid::Grid grid = quad_grid::make(4, 4, [](double x, double y) {
+        const double u = x + 0.07 * std::sin(7.0 * x + 3.0 * y);
+        const double v = 2.0 * y + 0.05 * std::cos(4.0 * x * x + 9.0 * y);
+        return Point(u, v, 0.3 * u + 0.2 * v);
+    });
+    Star star;
+    ASSERT_TRUE(star.gather(grid.mesh(), grid.vertex(2, 2)));
+    const FlatStar flat(star);
+    // Where it was, moved a little, onto an edge's line, and so far that faces are turned over.
+    for (const double step : {0.0, 0.2, 0.9, 2.5}) {
+        const Eigen::Vector2d x = step * star.edge_length() * Eigen::Vector2d(0.8, -0.6);
+        EXPECT_LT((flat.coordinates(flat(x)) - x).norm(), 1e-12);
+        const Star::Quality in_space = star.quality(flat(x));
+        const Star::Quality in_plane = flat.quality(x);
+        EXPECT_NEAR(in_plane.worst, in_space.worst, 1e-9) << step;
+        EXPECT_NEAR(in_plane.mean, in_space.mean, 1e-9) << step;
+        EXPECT_NEAR(in_plane.sines, in_space.sines, 1e-9) << step;
+        EXPECT_NEAR(in_plane.lack, in_space.lack, 1e-9) << step;
+        EXPECT_NEAR(in_plane.stretch, in_space.stretch, 1e-9) << step;
+        EXPECT_NEAR(in_plane.ratio, in_space.ratio, 1e-9) << step;
+    }
+}
+
 TEST(FlatStar, AGridIsAtRest) {
     const quad_grid::Grid grid = quad_grid::make(4, 4, [](double x, double y) { return Point(x, y, 0.0); });
     Star star;
