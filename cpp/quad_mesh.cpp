@@ -38,6 +38,7 @@ namespace {
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
 constexpr int kRepairRounds = 2;
+constexpr int kMostInverted = 400;  ///< of a surface that folds over itself, say: more is beyond repair, and would take long
 constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
 
 /// Six digits, whatever the unit.
@@ -297,6 +298,7 @@ class Pipeline {
             move_onto_tips(mesh_, reference, tips_);
             const FinalSmoothingResult result = smooth_mesh(mesh_, reference, options_, context_, lines);
             if (result.inverted == 0 || result.inverted >= inverted || !options_.cleanup || round == kRepairRounds) return;
+            if (result.inverted > kMostInverted) return;
             inverted = result.inverted;
             if (clean_up(mesh_, reference, context_).operations == 0) return;
         }

@@ -271,16 +271,31 @@ class MultiPass {
         return lines > 2;
     }
 
+    /// Per vertex: 1 where an end column of rows runs along a line, which may be this source's or another's.
+    std::vector<char> end_columns() const {
+        std::vector<char> found(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        for (const RowStack& stack : stacks_) {
+            for (std::size_t j = 1; j < stack.layers.size(); ++j) {
+                for (const Vertex v : {stack.layers[j].front(), stack.layers[j].back()})
+                    found[static_cast<std::size_t>(v.index())] = 1;
+            }
+        }
+        return found;
+    }
+
     /// Ends of stacks inside the source (where another line meets it, or a stack was split) end segments too, each part with
-    /// ramps of its own; so do such nodes on a side without rows. All nodes are kept between edges that gained no rows.
+    /// ramps of its own; so do such nodes on a side without rows. All nodes are kept between edges that gained no rows, and
+    /// where the rows of another stack end.
     std::vector<char> segment_ends(std::size_t s, int ratio, const std::vector<char>& gaining) const {
         const Line& line = lines_[s];
         const std::size_t n = line.nodes.size();
         std::vector<char> kept(n, 0);
         kept.front() = kept.back() = 1;
         bool cut = false;
+        const std::vector<char> is_in_column = end_columns();
         for (std::size_t i = 0; i < n; ++i) {
-            if (is_junction(line.nodes[i]) || (i < gaining.size() && !gaining[i]) || (i > 0 && !gaining[i - 1])) {
+            if (is_junction(line.nodes[i]) || is_in_column[static_cast<std::size_t>(line.nodes[i].index())] ||
+                (i < gaining.size() && !gaining[i]) || (i > 0 && !gaining[i - 1])) {
                 kept[i] = 1;
                 cut = true;
             }

@@ -29,21 +29,23 @@ int quads_at(const SurfaceMesh& mesh, Vertex v) {
     return n;
 }
 
+/// R, the other neighbour, in the quad behind the front edge, of the end N at which the edge is cut: its to() when `at_end`.
+Vertex node_behind(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
+    const HalfEdge back = M::twin(front);
+    return at_end ? mesh.from(mesh.prev(back)) : mesh.to(mesh.next(back));
+}
+
 /// The edge may be halved: behind it lies a quad that belongs to no row, it is on no line, and neither is the quad's side at
-/// the end where the triangle is cut off (a seam there could only undo it).
+/// the end where the triangle is cut off (a seam there could only undo it). Nor is the triangle's apex a node of that side:
+/// the middle would be joined to it twice.
 bool can_halve(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
     const HalfEdge back = M::twin(front);
     if (mesh.is_constrained(M::edge(front)) || mesh.is_constrained(M::edge(at_end ? mesh.prev(back) : mesh.next(back))))
         return false;
     const double size = 0.5 * (mesh.info(mesh.from(front)).size + mesh.info(mesh.to(front)).size);
     if (mesh.length(front) < kLeastHalved * size) return false;
-    return mesh.is_quad(mesh.face(back)) && mesh.info(mesh.face(back)).row == 0;
-}
-
-/// R, the other neighbour, in the quad behind the front edge, of the end N at which the edge is cut: its to() when `at_end`.
-Vertex node_behind(const SurfaceMesh& mesh, HalfEdge front, bool at_end) {
-    const HalfEdge back = M::twin(front);
-    return at_end ? mesh.from(mesh.prev(back)) : mesh.to(mesh.next(back));
+    if (!mesh.is_quad(mesh.face(back)) || mesh.info(mesh.face(back)).row > 0) return false;
+    return mesh.to(mesh.next(front)) != node_behind(mesh, front, at_end);
 }
 
 /// Angle of the notch that a transition split leaves in the front: at R between the halved edge's middle and its end.

@@ -236,6 +236,28 @@ TEST(MultiPass, SeveralSourcesStopBeforeEachOther) {
     }
 }
 
+TEST(MultiPass, SourcesMayMeetAtTheirEnds) {
+    // The rows of each end on the other line, whose nodes there are not merged.
+    for (const int n : {20, 40}) {
+        const std::int32_t centre = n / 2 * (n + 2);
+        const auto right = path(centre, centre + n / 2, 1);
+        const auto up = path(centre, centre + n / 2 * (n + 1), n + 1);
+        for (const int ratio : {2, 4}) {
+            Built p(shapes::grid(n, n), {source(right, {{ratio, 0}, {2, 0}}), source(up, {{ratio, 0}, {2, 0}})});
+            expect_sound(p);
+            EXPECT_EQ(inverted_triangles(p), 0);
+            EXPECT_TRUE(p.result.warnings.empty());
+            for (const int s : {0, 1}) EXPECT_GT(reported_rows(p, s, "left") + reported_rows(p, s, "right"), 0);
+            for (const Face f : faces(p.mesh)) {
+                EXPECT_EQ(p.mesh.is_quad(f), p.mesh.info(f).row > 0);
+                if (p.mesh.info(f).row > 0) {
+                    EXPECT_GT(scaled_jacobian(p.mesh, f), 0.1);
+                }
+            }
+        }
+    }
+}
+
 TEST(MultiPass, AClosedSourceHasNoRampAndAnEvenNumberOfSegments) {
     Built p(shapes::cylinder(48, 60, 1.0, 8.0), {source(ring(48, 30), {{4, 0}})});
     expect_rows(p);

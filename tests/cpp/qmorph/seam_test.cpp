@@ -157,6 +157,17 @@ TEST(Seam, ALongEdgeNextToAShortOneOnTheFrontIsHalved) {
     }
 }
 
+TEST(Seam, NothingIsHalvedWhereTheMiddleWouldBeJoinedToANodeTwice) {
+    // The triangle in the gap 0 – 1 – 2 and the quad behind share both edges at node 1.
+    shapes::Shape shape;
+    shape.points = {{4, 0, 0}, {0, 0, 0}, {1, -0.1, 0}, {2, 3, 0}};
+    shape.triangles = {{0, 1, 2}};
+    shape.add_quad(1, 0, 3, 2);
+    SurfaceMesh mesh = shape.mesh();
+    dissolve_edge(mesh, M::edge(mesh.find_halfedge(Vertex(1), Vertex(3))));
+    EXPECT_EQ(classify_seam(mesh, mesh.find_halfedge(Vertex(0), Vertex(1))), SeamKind::none);
+}
+
 TEST(Seam, RowsAndLinesAreNotHalved) {
     Prepared row = gap(24, 0.4, 1.2);
     row.mesh.info(row.mesh.face(M::twin(into_gap(row)))).row = 1;
