@@ -37,6 +37,7 @@ constexpr std::size_t kFewRows = 3;       // of a pass (one is given back), befo
 constexpr int kLeastSegments = 4;         // merged edges that a part of a split stack has room for
 constexpr double kSagitta = 0.25;         // of a merged edge over the height of the first row
 constexpr double kFeatureSagitta = 5e-5;  // the same where the source is a feature line, over the model's diagonal
+constexpr double kAheadSagitta = 1.3e-3;  // of the squares that follow the rows, over the model's diagonal
 
 /// A source with its nodes of the moment.
 struct Line {
@@ -365,8 +366,8 @@ class MultiPass {
         return height;
     }
 
-    /// True if the rows over the segment have at least `way` of unmeshed surface ahead: longer edges could not lead over to what
-    /// follows them.
+    /// True if the rows over the segment have at least `way` of unmeshed surface ahead, which turns so little on it that squares
+    /// of that size follow it: longer edges could not lead over to what follows them.
     bool free_ahead(std::size_t s, Vertex from, Vertex to, double way) const {
         for (const RowStack& stack : stacks_) {
             if (stack.source != static_cast<std::int32_t>(s) || stack.rows() == 0) continue;
@@ -377,6 +378,8 @@ class MultiPass {
                 if (!in.is_valid() || !is_front(mesh_, in)) continue;
                 const TraceEnd end = trace_geodesic(mesh_, in, 0.5 * front_angle(mesh_, in), way);
                 if (end.blocked && end.incidence > 0.6) return false;
+                const Point middle = 0.5 * (mesh_.position(stack.top()[i]) + end.position);
+                if (reference_.closest(middle).distance > kAheadSagitta * reference_.diagonal()) return false;
             }
         }
         return true;
