@@ -25,6 +25,7 @@ constexpr int kMostEdgesAtTransition = 16;  // of the nodes at a transition seam
 constexpr int kTries = 4;                   // of one front edge before it is left to finish_remaining()
 constexpr int kLate = 64;                   // level
 constexpr int kMostEdgesLate = 64;          // of the nodes of a front edge of a later level
+constexpr double kLeastLengthLate = 0.02;   // of a front edge of a later level, over the wanted size
 
 /// A front edge that waits: fewer right or left bits unset first, then lower level, then shorter, then lower index.
 struct Waiting {
@@ -185,16 +186,19 @@ class QMorph {
         for (const HalfEdge k : mesh_.halfedges(quad)) refresh(mesh_.from(k), level);
     }
 
-    /// Between slivers that are folded over, quad can follow quad round the same nodes without end.
-    bool goes_round(HalfEdge h) {
-        const auto is_hub = [this](Vertex v) { return mesh_.valence(v) > kMostEdgesLate; };
-        return state(h).level > kLate && (is_hub(mesh_.from(h)) || is_hub(mesh_.to(h)));
+    /// Between slivers that are folded over, quad can follow quad without end: round the same nodes, or smaller and smaller.
+    bool is_endless(HalfEdge h) {
+        if (state(h).level <= kLate) return false;
+        const Vertex a = mesh_.from(h);
+        const Vertex b = mesh_.to(h);
+        if (std::max(mesh_.valence(a), mesh_.valence(b)) > kMostEdgesLate) return true;
+        return mesh_.length(h) < kLeastLengthLate * std::max(mesh_.info(a).size, mesh_.info(b).size);
     }
 
     bool make_quad(HalfEdge h) {
         const Vertex a = mesh_.from(h);
         const Vertex b = mesh_.to(h);
-        if (goes_round(h)) return false;
+        if (is_endless(h)) return false;
         const HalfEdge right = choose_side_edge(mesh_, h, End::right, a);
         if (!right.is_valid() || !is_front(mesh_, h)) return false;
         Vertex c = mesh_.to(right);

@@ -18,6 +18,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = kPi / 6;     // Owen: an edge this close to the wanted direction is taken as it is
 constexpr double kLongest = 0.8660254038;  // Owen: √3/2 of the mean front edge bounds a swapped edge… times two
 constexpr double kLeastFold = 0.3;         // cosine between the triangles of a swapped edge
+constexpr double kLeastSplit = 0.05;       // length of a split edge over the wanted size
 constexpr int kLoopLimit = 1 << 20;
 
 double corner(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
@@ -159,12 +160,18 @@ class SideEdge {
         return {};
     }
 
+    /// Far shorter edges than wanted are not split: where the surface is folded over, that would go on and on.
+    bool may_split(HalfEdge h) const {
+        return mesh_.length(h) >= kLeastSplit * std::max(mesh_.info(mesh_.from(h)).size, mesh_.info(mesh_.to(h)).size);
+    }
+
     HalfEdge split_crossed() {
         double fraction = 0.5;
         const HalfEdge opposite = crossed_edge(fraction);
         if (is_front(mesh_, opposite) || mesh_.is_constrained(M::edge(opposite)) || is_front(mesh_, M::twin(opposite))) {
             return split_spoke();
         }
+        if (!may_split(opposite)) return {};
         fraction = std::clamp(fraction, 0.15, 0.85);
         const Point p = at(mesh_.to(opposite)) + fraction * (at(mesh_.from(opposite)) - at(mesh_.to(opposite)));
         if ((p - at(node_)).norm() < 0.25 * mean_length_) return {};
@@ -179,7 +186,7 @@ class SideEdge {
     /// Where the sector's triangle ends on the front: the closest spoke is split in its middle.
     HalfEdge split_spoke() {
         const HalfEdge spoke = closest_edge();
-        if (!spoke.is_valid() || deviation_ > kPi / 3 || mesh_.is_constrained(M::edge(spoke))) return {};
+        if (!spoke.is_valid() || deviation_ > kPi / 3 || mesh_.is_constrained(M::edge(spoke)) || !may_split(spoke)) return {};
         const Vertex v = split_edge(mesh_, M::edge(spoke), 0.5 * (at(node_) + at(mesh_.to(spoke))));
         return mesh_.find_halfedge(node_, v);
     }

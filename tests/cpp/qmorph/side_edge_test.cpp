@@ -80,6 +80,15 @@ TEST(SideEdge, AnEdgeFarAwayIsSplitAndTheNewEdgeCutToTheFrontsLength) {
     EXPECT_EQ(inverted_triangles(p), 0);
 }
 
+TEST(SideEdge, AnEdgeFarShorterThanWantedIsNotSplit) {
+    for (const double size : {5.0, 500.0}) {
+        Prepared p(gap(1.0, 5.0));
+        for (std::int32_t i = 0; i < p.mesh.vertex_slots(); ++i) p.mesh.info(Vertex(i)).size = size;
+        EXPECT_EQ(choose_side_edge(p.mesh, edge(p.mesh, 0, 1), End::right, Vertex()).is_valid(), size < 100.0);
+        expect_sound(p);
+    }
+}
+
 TEST(SideEdge, TwoOddLoopsAreNotMade) {
     // Four front edges on each side of 1 – 5: closing there would leave two loops of five.
     shapes::Shape shape;
