@@ -272,8 +272,8 @@ class MultiPass {
         return lines > 2;
     }
 
-    /// Per vertex: 1 where an end column of rows runs along a line, which may be this source's or another's.
-    std::vector<char> end_columns() const {
+    /// Per vertex: 1 at the ends of rows. Their end column may run along a line, this source's or another's.
+    std::vector<char> row_ends() const {
         std::vector<char> found(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
         for (const RowStack& stack : stacks_) {
             for (std::size_t j = 1; j < stack.layers.size(); ++j) {
@@ -293,9 +293,9 @@ class MultiPass {
         std::vector<char> kept(n, 0);
         kept.front() = kept.back() = 1;
         bool cut = false;
-        const std::vector<char> is_in_column = end_columns();
+        const std::vector<char> ends_row = row_ends();
         for (std::size_t i = 0; i < n; ++i) {
-            if (is_junction(line.nodes[i]) || is_in_column[static_cast<std::size_t>(line.nodes[i].index())] ||
+            if (is_junction(line.nodes[i]) || ends_row[static_cast<std::size_t>(line.nodes[i].index())] ||
                 (i < gaining.size() && !gaining[i]) || (i > 0 && !gaining[i - 1])) {
                 kept[i] = 1;
                 cut = true;

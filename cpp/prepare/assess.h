@@ -20,8 +20,8 @@ struct PatchAssessment {
 /// change faster than quads can follow, most nodes become irregular (method 1b). Quads turn further still than the triangles that
 /// they are made of, and leave the surface where these follow it just so.
 /// @param curvature_angle degrees that neighbours may turn (Options::curvature_angle); 0: any
-/// @param sagitta of quads of the triangles' size off the surface, in the mesh's lengths, beyond which a patch is coarse
+/// @param most_sagitta of quads of the triangles' size off the surface, in the mesh's lengths: beyond it a patch is coarse
 /// @returns one entry per patch
-std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle, double sagitta);
+std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle, double most_sagitta);
 
 }  // namespace anisoquad
