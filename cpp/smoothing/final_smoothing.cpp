@@ -28,6 +28,7 @@ constexpr double kRelaxation =
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
+constexpr int kFirstOfRows = 3;    ///< sweep from which nodes of rows slide: not for what the nodes beside them can better
 constexpr double kUpright = 1e-6;  ///< scaled Jacobian at which rounding no longer chooses the sign
 
 struct Statistics {
@@ -80,7 +81,7 @@ class FinalSmoother {
     int sweep(int number, const Context& context) {
         const auto visit_nodes = [&](std::span<const Vertex> nodes) {
             int moves = 0;
-            for (const Vertex v : nodes) moves += visit_if_awake(v, number) ? 1 : 0;
+            for (const Vertex v : nodes) moves += visit_if_due(v, number) ? 1 : 0;
             return moves;
         };
         const auto visit_block = [&](std::int32_t first, std::int32_t last) {
@@ -136,8 +137,13 @@ class FinalSmoother {
         }
     }
 
-    bool visit_if_awake(Vertex v, int number) {
-        if (!v.is_valid() || awake_[index(v)] + 1 < number) return false;
+    bool is_due(Vertex v, int number) const {
+        if (mesh_.info(v).in_row && number <= kFirstOfRows) return number == kFirstOfRows;
+        return awake_[index(v)] + 1 >= number;
+    }
+
+    bool visit_if_due(Vertex v, int number) {
+        if (!v.is_valid() || !is_due(v, number)) return false;
         const Point before = mesh_.position(v);
         const double edge = mesh_.length(mesh_.halfedge(v));
         if (!visit(v)) return false;
@@ -162,7 +168,7 @@ class FinalSmoother {
         double worst = 1.0;
         const bool moved = star.is_flat() && star.has_quads_only() ? relax_flat(v, star, worst) : relax(v, star, worst);
         if (worst >= Star::kPoor) return moved;
-        return optimise_node(mesh_, v, &reference_, &hint_[index(v)]) || moved;
+        return optimise_node(mesh_, v, &reference_, &hint_[index(v)], Aim::worst_changing_corner) || moved;
     }
 
     /// A node that was visited before spares the search from the tree's root; the star of a node lies in its block, or no other
@@ -178,12 +184,12 @@ class FinalSmoother {
     /// Moves the node towards where its star scores best, see Star::Quality::score(). With the mean sine of all corners the mean
     /// scaled Jacobian of a plane becomes 0.998, its 5th percentile 0.993; with the mean of the quads' least sines, whose kinks
     /// hold the nodes, 0.994 and 0.968.
-    /// @param worst receives that of the faces in the end; where it is not positive, the node stays
+    /// @param worst receives Quality::worst_changing in the end; where a face is inverted, the node stays
     bool relax(Vertex v, const Star& star, double& worst) {
         const auto quality = [&](const Point& p) { return star.quality(p); };
         const Star::Quality before = quality(star.centre());
-        worst = before.worst;
-        if (worst <= 0.0) return false;
+        worst = before.worst_changing;
+        if (before.worst <= 0.0) return false;
         const Chart chart(mesh_, v, star);
         const auto score = [&](const Eigen::Vector2d& x) { return quality(chart(x)).score(); };
         const Eigen::Vector2d x = newton_search(score, kSpan * star.edge_length(), kRelaxation, kMostStep * star.edge_length());
@@ -194,8 +200,8 @@ class FinalSmoother {
     bool relax_flat(Vertex v, const Star& star, double& worst) {
         const FlatStar flat(star);
         const Star::Quality before = flat.quality(Eigen::Vector2d::Zero());
-        worst = before.worst;
-        if (worst <= 0.0) return false;
+        worst = before.worst_changing;
+        if (before.worst <= 0.0) return false;
         const FlatStar::Derivatives d = flat.derivatives();
         const Eigen::Vector2d x = newton_step(d.gradient, d.hessian, kRelaxation, kMostStep * star.edge_length());
         // What a quadratic model of the score promises.
@@ -214,12 +220,12 @@ class FinalSmoother {
             const Point p = reference_.project(place(x), {star.patch(), star.normal()}, facet);
             const Star::Quality after = quality(p);
             if (!(after.score() > before.score() + kLeastScoreGain)) continue;
-            if (after.worst < before.worst && after.worst < Star::kPoor) continue;
+            if (after.worst_changing < before.worst_changing && after.worst_changing < Star::kPoor) continue;
             if (!star.stays_near(reference_, p)) continue;
             mesh_.position(v) = p;
             mesh_.info(v).input = -1;
             hint_[index(v)] = facet;
-            worst = after.worst;
+            worst = after.worst_changing;
             return true;
         }
         return false;
@@ -274,7 +280,7 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
         const bool at_rest =
             now.min < last.min + kLeastGain && now.mean < last.mean + kLeastGain && now.inverted >= last.inverted;
         last = now;
-        if (moves == 0 || at_rest) break;
+        if (result.sweeps >= kFirstOfRows && (moves == 0 || at_rest)) break;
     }
     result.min_after = last.min;
     result.mean_after = last.mean;

@@ -92,9 +92,9 @@ Star::FaceQuality FlatStar::quality(const Wedge& w, const Vector2d& x) {
     const double at_centre = cross(l, f);
     const double at_next = cross(f, w.after_next);
     const double at_previous = cross(w.before_previous, l);
-    const double worst = std::min({at_centre, at_next, w.at_opposite, at_previous});
     const bool upright = cross(w.opposite - x, w.previous - w.next) > 0.0;
-    return {upright ? worst : std::min(worst, 0.0), 0.25 * (at_centre + at_next + w.at_opposite + at_previous),
+    const double changing = std::min({upright ? 1.0 : 0.0, at_centre, at_next, at_previous});
+    return {std::min(changing, w.at_opposite), changing, 0.25 * (at_centre + at_next + w.at_opposite + at_previous),
             std::sqrt(std::max({w.longest2, f2, l2}) / shortest2)};
 }
 

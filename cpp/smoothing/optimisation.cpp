@@ -17,29 +17,36 @@ constexpr double kMeanWeight = 1e-2;   ///< of the mean beside the worst
 constexpr double kLargestRatio = 6.0;  ///< of a quad's edges; an edge that shrinks to nothing could better the worst angle
 constexpr double kLeastGain = 1e-6;
 
-/// The worst element, and below any of its values how much a star is folded that has an inverted one.
-double score(const Star& star, const Point& p) {
-    const Star::Quality q = star.quality(p);
+/// What is aimed at, and below any of its values how much a star is folded that has an inverted element.
+double score(const Star& star, const Star::Quality& q, const Point& p, Aim aim) {
     if (q.worst <= 0.0) return -star.tangle(p);
-    return std::sqrt(std::min(1.0, kLargestRatio / q.ratio)) * (q.worst + kMeanWeight * q.mean);
+    const double worst = aim == Aim::worst_element ? q.worst : std::max(q.worst, std::min(q.worst_changing, Star::kPoor));
+    return std::sqrt(std::min(1.0, kLargestRatio / q.ratio)) * (worst + kMeanWeight * q.mean);
 }
 
 }  // namespace
 
-bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t* hint) {
+bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t* hint, Aim aim) {
     Star star;
     if (!is_movable(mesh, v) || !star.gather(mesh, v)) return false;
     if (reference) star.see_along_surface(*reference, hint ? *hint : -1);
     const Chart chart(mesh, v, star);
-    const double before = score(star, star.centre());
+    const Star::Quality old = star.quality(star.centre());
+    const double before = score(star, old, star.centre(), aim);
     Eigen::Vector2d x = Eigen::Vector2d::Zero();
-    pattern_search([&](const Eigen::Vector2d& trial) { return score(star, chart(trial)); }, x, kFirstStep * star.edge_length(),
-                   kSmallestStep * star.edge_length());
+    const auto score_at = [&](const Eigen::Vector2d& trial) {
+        const Point p = chart(trial);
+        return score(star, star.quality(p), p, aim);
+    };
+    pattern_search(score_at, x, kFirstStep * star.edge_length(), kSmallestStep * star.edge_length());
     std::int32_t facet = hint ? *hint : -1;
     for (int i = 0; i < 3 && !x.isZero(0.0); ++i, x *= 0.5) {
         Point p = chart(x);
         if (reference) p = reference->project(p, {star.patch(), star.normal()}, facet);
-        if (!p.allFinite() || score(star, p) < before + kLeastGain) continue;
+        if (!p.allFinite()) continue;
+        const Star::Quality now = star.quality(p);
+        if (score(star, now, p, aim) < before + kLeastGain) continue;
+        if (aim == Aim::worst_changing_corner && before > 0.0 && now.worst < old.worst) continue;
         // Where the surface is thin, the side that a face is seen from can be the other one's: what looks turned over is not
         // mended by crossing what is not crossed.
         if (before <= 0.0 && star.crossed(p) > star.crossed(star.centre())) continue;

@@ -153,7 +153,7 @@ Star::FaceQuality Star::quality(const Wedge& wedge, const Point& p) const {
         const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
         const double shape = std::min(1.0, 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum);
         const double quality = area.dot(wedge.up) > upright_ * area.norm() ? shape : -shape;
-        return {quality, quality, 1.0};
+        return {quality, quality, quality, 1.0};
     }
     const double first_length = first.norm();
     const double last_length = last.norm();
@@ -169,8 +169,10 @@ Star::FaceQuality Star::quality(const Wedge& wedge, const Point& p) const {
     const double at_next = up.dot(first.cross(wedge.after_next)) / (first_length * wedge.after_next_length);
     const double at_opposite = up.dot(wedge.opposite_area) / (wedge.after_next_length * wedge.before_previous_length);
     const double at_previous = up.dot(wedge.before_previous.cross(last)) / (wedge.before_previous_length * last_length);
-    const double worst = std::min({at_centre, at_next, at_opposite, at_previous});
-    return {upright ? worst : std::min(worst, 0.0), 0.25 * (at_centre + at_next + at_opposite + at_previous), longest / shortest};
+    const double most = upright ? 1.0 : 0.0;
+    const double changing = std::min({most, at_centre, at_next, at_previous});
+    return {std::min(changing, at_opposite), changing, 0.25 * (at_centre + at_next + at_opposite + at_previous),
+            longest / shortest};
 }
 
 Star::Quality Star::quality(const Point& p) const {

@@ -56,7 +56,8 @@ class Star {
     void use_face_normals();
 
     struct Quality {
-        double worst = 1.0;  ///< of the faces' qualities (measures: see worst_quality())
+        double worst = 1.0;           ///< of the faces' qualities (measures: see worst_quality())
+        double worst_changing = 1.0;  ///< the same without the quads' corners opposite the node, which no place of it opens
         double mean = 1.0;
         double sines = 1.0;    ///< mean of the sines of all corners of the quads
         double lack = 0.0;     ///< mean square of what the faces lack of kPoor
@@ -74,8 +75,9 @@ class Star {
     };
     struct FaceQuality {
         double quality = -1.0;
-        double sines = -1.0;  ///< mean of the corners; the quality of a triangle
-        double ratio = 1.0;   ///< longest over shortest edge; 1 for a triangle
+        double changing = -1.0;  ///< without the corner opposite the node; the quality of a triangle
+        double sines = -1.0;     ///< mean of the corners; the quality of a triangle
+        double ratio = 1.0;      ///< longest over shortest edge; 1 for a triangle
     };
     /// Quality of the faces with the node at p.
     Quality quality(const Point& p) const;
@@ -124,12 +126,13 @@ class Star {
 
 template <class Measure>
 Star::Quality Star::Quality::of_faces(int faces, const Measure& measure) {
-    Quality result{1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+    Quality result{1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
     for (int i = 0; i < faces; ++i) {
         const FaceQuality face = measure(i);
         const double lack = std::max(0.0, kPoor - face.quality);
         const double stretch = stretch_of(face.ratio);
         result.worst = std::min(result.worst, face.quality);
+        result.worst_changing = std::min(result.worst_changing, face.changing);
         result.mean += face.quality;
         result.sines += face.sines;
         result.lack += lack * lack;

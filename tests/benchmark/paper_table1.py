@@ -12,7 +12,7 @@ import wing
 import anisoquad
 
 PAPER = {1: 100, 2: 73, 3: 62, 4: 54, 5: 49, 6: 45, 8: 42, 16: 37}  # percent of the quads at 1:1
-SCALED_JACOBIAN_LIMIT = 0.2  # of the quads that do not fill a corner between feature lines whose angle alone keeps them below it
+SCALED_JACOBIAN_LIMIT = 0.3  # of the quads that do not fill a corner between feature lines whose angle alone keeps them below it
 FIRST_ROW_LIMIT = 10.0  # aspect ratio at mid source, of 1:16
 
 

@@ -43,6 +43,43 @@ TEST(Optimisation, Untangles) {
     EXPECT_GT(quality(mesh).min, 0.3);
 }
 
+/// Two lines at eight degrees; the middle node of two times two quads between them is opposite their corner.
+SurfaceMesh between_two_lines(const Grid& g) {
+    SurfaceMesh mesh = g.mesh();
+    mesh.position(g.vertex(1, 0)) = {1.0, -0.07, 0.0};
+    mesh.position(g.vertex(0, 1)) = {1.0, 0.07, 0.0};
+    mesh.position(g.vertex(1, 1)) = {1.05, -0.055, 0.0};
+    mesh.position(g.vertex(2, 0)) = {1.3, -0.09, 0.0};
+    mesh.position(g.vertex(0, 2)) = {1.3, 0.09, 0.0};
+    mesh.position(g.vertex(2, 1)) = {1.3, -0.04, 0.0};
+    mesh.position(g.vertex(1, 2)) = {1.3, 0.04, 0.0};
+    mesh.position(g.vertex(2, 2)) = {1.4, 0.0, 0.0};
+    return mesh;
+}
+
+TEST(Optimisation, ASharpCornerOppositeTheNodeDoesNotHideItsNeighbours) {
+    const Grid g = make(2, 2, on_plane);
+    const auto beside = [&](const SurfaceMesh& mesh) {
+        const HalfEdge h = mesh.find_halfedge(g.vertex(1, 0), g.vertex(2, 0));
+        return scaled_jacobian(mesh, mesh.face(h));
+    };
+    const auto corner = [&](const SurfaceMesh& mesh) {
+        return scaled_jacobian(mesh, mesh.face(mesh.find_halfedge(g.vertex(0, 0), g.vertex(1, 0))));
+    };
+    const auto optimised = [&](Aim aim) {
+        SurfaceMesh mesh = between_two_lines(g);
+        for (int i = 0; i < 3; ++i) optimise_node(mesh, g.vertex(1, 1), nullptr, nullptr, aim);
+        return mesh;
+    };
+    const double limit = std::sin(2.0 * std::atan(0.07));
+    ASSERT_NEAR(corner(between_two_lines(g)), limit, 1e-9);
+    ASSERT_LT(beside(between_two_lines(g)), 0.35);
+    const SurfaceMesh mesh = optimised(Aim::worst_changing_corner);
+    EXPECT_NEAR(corner(mesh), limit, 1e-9);
+    EXPECT_GT(beside(mesh), 0.45);
+    EXPECT_LT(beside(optimised(Aim::worst_element)), 0.4);
+}
+
 TEST(Optimisation, KeepsWhatMustStay) {
     const Grid g = make(4, 4, on_plane);
     SurfaceMesh mesh = g.mesh();
