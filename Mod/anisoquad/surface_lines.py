@@ -80,6 +80,25 @@ def imprint(points, triangles, path, keep=(), feature_angle=None):
     return SurfaceLines(points, triangles, feature_angle, edges_of(keep)).imprint(path)
 
 
+def cut_at_ends(paths):
+    """Paths of vertex ids, each cut where another one ends on it: lines that are sources together may only meet where both end.
+
+    A closed path (its first vertex is its last) on which an end lies becomes open pieces, two at least.
+    """
+    ends = {path[end] for path in paths if path[0] != path[-1] for end in (0, -1)}
+    pieces = []
+    for path in paths:
+        path = list(path)
+        if path[0] == path[-1]:
+            start = next((i for i, vertex in enumerate(path) if vertex in ends), 0)
+            path = path[start:-1] + path[: start + 1]
+        cuts = [0, *(i for i in range(1, len(path) - 1) if path[i] in ends), len(path) - 1]
+        if path[0] == path[-1] and path[0] in ends and len(cuts) == 2:
+            cuts.insert(1, len(path) // 2)
+        pieces += [path[first : last + 1] for first, last in zip(cuts[:-1], cuts[1:])]
+    return pieces
+
+
 def edges_of(paths):
     """[(from, to), …] of paths of vertex ids."""
     return [edge for path in paths for edge in zip(path[:-1], path[1:])]

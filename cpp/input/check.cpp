@@ -272,7 +272,7 @@ class SourceChecker {
             Use& use = use_[at(nodes[i])];
             if (use == Use::inner || (use == Use::end && !is_end)) {
                 fail("the line touches itself or another line at vertex " + std::to_string(nodes[i]) +
-                         ". Lines may only meet where both end.",
+                         ". Lines may only meet where both end: cut the one that goes on there in two.",
                      ElementKind::vertex, {nodes[i]});
             }
             use = is_end ? Use::end : Use::inner;

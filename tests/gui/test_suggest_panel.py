@@ -49,3 +49,25 @@ class SuggestPanel(WindowTest):
             self.assertGreaterEqual(self.panel("SuggestPanel").findChild(object, "lines").count(), 1)
             self.button("Cancel").click()
             wait(seconds=0.01)
+
+
+class LinesThatEndOnAnother(WindowTest):
+    WING = "wing_swept"  # its leading and trailing edge end on the tip's outline
+
+    def test_all_that_is_ticked_can_be_meshed(self):
+        quads = self.make_quad_mesh(sources=[])
+        self.select(quads)
+        self.run_command("AnisoQuad_SuggestSources")
+        form = self.panel("SuggestPanel")
+        lines = form.findChild(object, "lines")
+        offered = lines.count()
+        for row in range(offered):
+            lines.item(row).setCheckState(QtCore.Qt.Checked)
+        form.findChild(object, "anisotropy").setValue(4)
+        self.button("OK").click()
+        wait()
+        self.assertGreater(len(quads.Sources), offered)
+        self.doc.recompute()
+        self.assertIn("Up-to-date", quads.State)
+        self.assertGreater(quads.Quads, 1000)
+        self.assertGreater(quads.MinScaledJacobian, 0.0)

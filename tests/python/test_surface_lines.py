@@ -6,7 +6,7 @@ import numpy as np
 import surfaces
 
 from anisoquad import MeshError, Source, quad_mesh
-from anisoquad.surface_lines import SurfaceLines, edges_of, imprint
+from anisoquad.surface_lines import SurfaceLines, cut_at_ends, edges_of, imprint
 
 
 class Rays(unittest.TestCase):
@@ -38,6 +38,28 @@ class Suggestions(unittest.TestCase):
 
     def test_nothing_on_a_plane(self):
         self.assertEqual(SurfaceLines(*surfaces.plane()).suggest(), [])
+
+
+class CutAtEnds(unittest.TestCase):
+    def test_a_line_is_cut_where_another_one_ends_on_it(self):
+        self.assertEqual(cut_at_ends([[1, 2, 3, 4], [9, 8, 3]]), [[1, 2, 3], [3, 4], [9, 8, 3]])
+
+    def test_a_closed_line_becomes_open_pieces(self):
+        self.assertEqual(cut_at_ends([[1, 2, 3, 4, 1], [9, 3]]), [[3, 4, 1], [1, 2, 3], [9, 3]])
+        self.assertEqual(cut_at_ends([[1, 2, 3, 4, 1], [9, 3], [2, 8]]), [[2, 3], [3, 4, 1, 2], [9, 3], [2, 8]])
+        self.assertEqual(cut_at_ends([[1, 2, 3, 1], [7, 8]]), [[1, 2, 3, 1], [7, 8]])
+
+    def test_lines_that_meet_at_their_ends_stay(self):
+        paths = [[1, 2, 3], [3, 4, 5], [6, 7]]
+        self.assertEqual(cut_at_ends(paths), paths)
+
+    def test_what_is_suggested_together_can_be_meshed_together(self):
+        points, triangles, _ = surfaces.wing("wing_swept")
+        chosen = SurfaceLines(points, triangles).suggest()
+        with self.assertRaises(MeshError):
+            quad_mesh(points, triangles, [Source(line, anisotropy=4) for line in chosen])
+        mesh = quad_mesh(points, triangles, [Source(line, anisotropy=4) for line in cut_at_ends(chosen)])
+        self.assertTrue(mesh.valid)
 
 
 class Imprint(unittest.TestCase):

@@ -12,7 +12,7 @@ from ..compat import button_box, load_ui, qt_widgets, translate
 from ..errors import MeshError
 from ..objects.base_mesh import base_arrays
 from ..resources import ui_file
-from ..surface_lines import SurfaceLines
+from ..surface_lines import SurfaceLines, cut_at_ends
 from ..viewproviders.line_node import LineNode
 from .highlight import Highlight
 
@@ -59,7 +59,7 @@ class SuggestPanel:
         chosen = self.ticked()
         if chosen:
             with transaction(FreeCAD.ActiveDocument, "Suggest leading edges"):
-                for line in chosen:
+                for line in cut_at_ends(chosen):
                     add_source(self.base, self.quad_meshes, self.form.anisotropy.value(), vertices=line).recompute()
         return self.reject()
 
