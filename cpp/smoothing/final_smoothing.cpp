@@ -65,10 +65,12 @@ Statistics statistics(const SurfaceMesh& mesh) {
 
 class FinalSmoother {
   public:
-    FinalSmoother(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines)
+    /// @param sweeps how many there will be at most
+    FinalSmoother(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines, int sweeps)
         : mesh_(mesh),
           reference_(reference),
           lines_(lines),
+          first_of_rows_(std::min(kFirstOfRows, sweeps)),
           hint_(static_cast<std::size_t>(mesh.vertex_slots()), -1),
           awake_(static_cast<std::size_t>(mesh.vertex_slots()), 0) {
         put_in_blocks();
@@ -138,7 +140,7 @@ class FinalSmoother {
     }
 
     bool is_due(Vertex v, int number) const {
-        if (mesh_.info(v).in_row && number <= kFirstOfRows) return number == kFirstOfRows;
+        if (mesh_.info(v).in_row && number <= first_of_rows_) return number == first_of_rows_;
         return awake_[index(v)] + 1 >= number;
     }
 
@@ -242,6 +244,7 @@ class FinalSmoother {
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;
     const ReferenceLines& lines_;
+    int first_of_rows_;                ///< sweep from which nodes of rows slide
     std::vector<Vertex> inner_;        ///< nodes whose star lies in their block, by blocks
     std::vector<Vertex> between_;      ///< all others
     std::vector<std::int32_t> hint_;   ///< facet of the reference surface near each node
@@ -270,7 +273,7 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
     release_nodes_without_rows(mesh);
     if (options.smoothing_passes > 0) result.moves += smooth_rows(mesh, &reference).moved;
 
-    FinalSmoother smoother(mesh, reference, lines);
+    FinalSmoother smoother(mesh, reference, lines, options.smoothing_passes);
     while (result.sweeps < options.smoothing_passes) {
         const double done = static_cast<double>(result.sweeps) / options.smoothing_passes;
         context.report(done);

@@ -19,10 +19,10 @@ struct FinalSmoothingResult {
 };
 
 /// The final smoothing of the finished mesh: anisotropic rows by smooth_rows(); all other nodes by guarded sweeps that raise the
-/// mean scaled Jacobian, inverted and poor elements by optimise_node(); until neither the worst nor the mean gets better, at
-/// most Options::smoothing_passes sweeps. Only nodes round which something moved are visited again. Nodes are brought back to
-/// their patch of the reference surface. Nodes on straight feature lines slide along them (slide_on_line()); corners stay.
-/// Triangles that are left are tolerated.
+/// mean scaled Jacobian, inverted and poor elements by optimise_node(), nodes of rows once the others have settled; until neither
+/// the worst nor the mean gets better, at most Options::smoothing_passes sweeps. Only nodes round which something moved are
+/// visited again. Nodes are brought back to their patch of the reference surface. Nodes on straight feature lines slide along
+/// them (slide_on_line()); corners stay. Triangles that are left are tolerated.
 FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& reference, const Options& options = {},
                                  Context& context = no_context(), const ReferenceLines& lines = {});
 
