@@ -76,8 +76,7 @@ class FinalSmoother {
         put_in_blocks();
     }
 
-    /// Visits the nodes round which something moved in this sweep or the last one: the blocks side by side, then the nodes whose
-    /// star reaches into another block.
+    /// Visits the nodes that are due: the blocks side by side, then the nodes whose star reaches into another block.
     /// @returns number of moves
     /// @throws Error{cancelled}
     int sweep(int number, const Context& context) {
@@ -139,6 +138,8 @@ class FinalSmoother {
         }
     }
 
+    /// Something moved round the node in this sweep or the last one; nodes of rows wait for their first sweep, in which all are
+    /// due.
     bool is_due(Vertex v, int number) const {
         if (mesh_.info(v).in_row && number <= first_of_rows_) return number == first_of_rows_;
         return awake_[index(v)] + 1 >= number;
