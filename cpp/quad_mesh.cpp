@@ -1,6 +1,7 @@
 #include "quad_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <sstream>
 
@@ -23,8 +24,11 @@
 #include "mesh/face_middle.h"
 #include "mesh/validate.h"
 #include "parallel.h"
+#include "parts/in_parts.h"
+#include "parts/partition.h"
 #include "prepare/prepare.h"
 #include "prepare/size_range.h"
+#include "qmorph/front.h"
 #include "qmorph/node_size.h"
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
@@ -37,9 +41,20 @@ namespace {
 
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
+// Shares of the whole run that are done after a stage.
+constexpr double kFilledInParts = 0.65;
+constexpr double kFilled = 0.7;
+constexpr double kCleanedInParts = 0.78;
+constexpr double kCleaned = 0.8;
 constexpr int kRepairRounds = 2;
 constexpr int kMostInverted = 400;  ///< of a surface that folds over itself, say: more is beyond repair, and would take long
 constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
+
+/// Gives the memory back, which an assignment of {} keeps.
+template <class T>
+void release(std::vector<T>& v) {
+    std::vector<T>().swap(v);
+}
 
 /// Six digits, whatever the unit.
 std::string length_text(double length) {
@@ -99,8 +114,8 @@ class Pipeline {
         check_feature_edges(mesh_, options_.feature_edges, order_.rank);
         context_.report(0.75);
         if (!order_.rank.empty()) put_ids_in_order();
-        order_.rank = {};
-        order_.triangle = {};
+        release(order_.rank);
+        release(order_.triangle);
         context_.breathe();
         before_ = topology(mesh_);
         end();
@@ -127,6 +142,9 @@ class Pipeline {
         begin("rows", 0.1, 0.25);
         assign_node_sizes(mesh_);
         build_rows(sources, reference, frame, remeshed);
+        release(unit_points_);  // from here on the reference surface knows them
+        release(ordered_triangles_);
+        triangles_ = {};
         end();
 
         begin("parity", 0.25, 0.26);
@@ -138,17 +156,16 @@ class Pipeline {
             warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
         end();
 
-        begin("fill", 0.26, 0.7);
-        const QMorphResult fill = fill_with_quads(mesh_, &reference, context_);
-        if (fill.left > 0) warn(std::to_string(fill.left) + " triangles are left");
+        begin("fill", 0.26, kFilled);
+        fill(reference);
         end();
         snapshot("fill", frame);
 
-        begin("clean-up", 0.7, 0.8);
-        if (options_.cleanup) clean_up(mesh_, reference, context_);
+        begin("clean-up", kFilled, kCleaned);
+        if (options_.cleanup) clean_up_parts(reference);
         end();
 
-        begin("smoothing", 0.8, 0.95);
+        begin("smoothing", kCleaned, 0.95);
         if (target_) {
             reference.set_target({target_, frame.centre, frame.scale});
             move_onto_target(mesh_, reference, reference_lines);
@@ -159,8 +176,6 @@ class Pipeline {
         snapshot("result", frame);
 
         begin("report", 0.95, 1.0);
-        unit_points_ = {};
-        ordered_triangles_ = {};
         finish(frame, reference);
         if (target_) tell_input(reference, reference_lines);
         end();
@@ -288,6 +303,30 @@ class Pipeline {
         for (const std::string& warning : rows.warnings) warn(warning);
         assign_node_sizes(mesh_);
         blend_ahead_of_rows(mesh_, reference, context_);
+    }
+
+    /// Parts of a large mesh side by side; what waits near the cuts is filled from both sides afterwards.
+    void fill(const ReferenceSurface& reference) {
+        const Partition partition = make_partition(mesh_, [&](Face f) { return touches_front(mesh_, f); });
+        std::atomic<std::int32_t> left = 0;
+        in_parts(mesh_, partition, context_, [&](SurfaceMesh& part, const Cuts& cuts, Context& own) {
+            left += fill_with_quads(part, &reference, own, cuts).left;
+        });
+        if (!partition.all_cuts.empty()) {
+            context_.begin_stage("fill", kFilledInParts, kFilled);
+            left = fill_with_quads(mesh_, &reference, context_).left;
+        }
+        if (left > 0) warn(std::to_string(left) + " triangles are left");
+    }
+
+    /// The same for the clean-up.
+    void clean_up_parts(const ReferenceSurface& reference) {
+        const Partition partition = make_partition(mesh_, [](Face) { return true; });
+        in_parts(mesh_, partition, context_,
+                 [&](SurfaceMesh& part, const Cuts&, Context& own) { clean_up(part, reference, own); });
+        if (partition.all_cuts.empty()) return;
+        context_.begin_stage("clean-up", kCleanedInParts, kCleaned);
+        clean_up_near(partition.all_cuts, mesh_, reference, context_);
     }
 
     /// Smoothing makes room for replacements that the clean-up had to take back: where it leaves quads inverted, both in turn as

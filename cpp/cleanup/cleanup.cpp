@@ -34,6 +34,7 @@ constexpr double kFar = 1.2e-3;  ///< distance from the surface, over its diagon
 constexpr double kBent = 0.9;    ///< cosine of the turn to a neighbour below which quads may be far
 constexpr Trial::Demands kBringNearer{-12, 0.25, 0.0, 6.0, 0.7};
 constexpr int kRepairRounds = 3;
+constexpr double kNearCut = 12.0;  ///< over the length of an edge: where regions could not grow in the parts
 
 std::int32_t irregular_nodes(const SurfaceMesh& mesh) {
     std::int32_t n = 0;
@@ -50,8 +51,12 @@ class Cleaner {
     Cleaner(SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context)
         : mesh_(mesh), reference_(reference), context_(context), trial_(mesh, reference), growth_(trial_, planner_) {}
 
-    std::int32_t run() {
-        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) push(Vertex(i));
+    /// @param cuts where there are any, only what is near them is worked off
+    std::int32_t run(const Cuts& cuts) {
+        if (!cuts.empty()) begin_near(cuts);
+        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            if (cuts.empty() || last_change(Vertex(i)) > 0) push(Vertex(i));
+        }
         most_work_ = kLeastWork + kWorkPerQuad * static_cast<std::size_t>(mesh_.face_count());
         most_tries_ = kLeastTries + kTriesPerNode * queue_.size();
         work_off();
@@ -61,6 +66,19 @@ class Cleaner {
     }
 
   private:
+    /// As if the first operation had changed all that is near the cuts, and all had been tried before.
+    void begin_near(const Cuts& cuts) {
+        operations_ = last_round_ = 1;
+        tried_before_ = 0;
+        changed_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            const Vertex v(i);
+            if (!is_in_use(v)) continue;
+            if (cuts.is_near(mesh_.position(v), kNearCut * mesh_.length(mesh_.halfedge(v))))
+                changed_[static_cast<std::size_t>(i)] = operations_;
+        }
+    }
+
     bool is_in_use(Vertex v) const { return !mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid(); }
     bool is_irregular(Vertex v) const { return is_in_use(v) && trial_.sectors().cost(mesh_, v) > 0; }
     bool may_try() const { return trial_.tries() < most_tries_ && trial_.work() < most_work_; }
@@ -136,7 +154,7 @@ class Cleaner {
     bool is_due(Face f, std::vector<std::int32_t>& tried) const {
         if (!is_repairable(f)) return false;
         const auto i = static_cast<std::size_t>(f.index());
-        if (tried.size() <= i) tried.resize(static_cast<std::size_t>(mesh_.face_slots()), -1);
+        if (tried.size() <= i) tried.resize(static_cast<std::size_t>(mesh_.face_slots()), tried_before_);
         const std::int32_t last = std::exchange(tried[i], operations_);
         bool is_due = last < 0;
         for (const HalfEdge h : mesh_.halfedges(f)) is_due = is_due || last_change(mesh_.from(h)) > last;
@@ -284,18 +302,23 @@ class Cleaner {
     std::vector<Proposal> proposals_;
     std::vector<std::size_t> order_;  ///< of those that gain enough, best first
     std::int32_t operations_ = 0;
+    std::int32_t tried_before_ = -1;  ///< number of the last operation when all was tried, −1 = never
     std::int32_t steps_ = 0;
     double done_ = 0.0;  ///< share of the clean-up
 };
 
 }  // namespace
 
-CleanupResult clean_up(SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context) {
+CleanupResult clean_up_near(const Cuts& cuts, SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context) {
     CleanupResult result;
     result.irregular_before = irregular_nodes(mesh);
-    result.operations = Cleaner(mesh, reference, context).run();
+    result.operations = Cleaner(mesh, reference, context).run(cuts);
     result.irregular_after = irregular_nodes(mesh);
     return result;
+}
+
+CleanupResult clean_up(SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context) {
+    return clean_up_near({}, mesh, reference, context);
 }
 
 }  // namespace anisoquad

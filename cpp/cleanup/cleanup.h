@@ -4,6 +4,7 @@
 
 #include "context.h"
 #include "mesh/surface_mesh.h"
+#include "parts/cuts.h"
 #include "surface/reference_surface.h"
 
 namespace anisoquad {
@@ -22,5 +23,9 @@ struct CleanupResult {
 /// mesh leaves the surface. Anisotropic rows and constrained edges stay; of the nodes only interior ones move or vanish.
 /// @pre all faces outside of rows that are to be improved are quads; others are left alone
 CleanupResult clean_up(SurfaceMesh& mesh, const ReferenceSurface& reference, Context& context = no_context());
+
+/// The same for what was left near the cuts when the parts were cleaned up.
+CleanupResult clean_up_near(const Cuts& cuts, SurfaceMesh& mesh, const ReferenceSurface& reference,
+                            Context& context = no_context());
 
 }  // namespace anisoquad

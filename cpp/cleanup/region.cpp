@@ -12,12 +12,20 @@ using M = SurfaceMesh;
 
 }  // namespace
 
+bool RegionEditor::is_at_cut(Face f) const {
+    for (const HalfEdge h : mesh_.halfedges(f)) {
+        const HalfEdge out = mesh_.halfedge(mesh_.from(h));
+        if (mesh_.is_boundary(out) && (mesh_.info(M::edge(out)).cut || mesh_.info(M::edge(mesh_.prev(out))).cut)) return true;
+    }
+    return false;
+}
+
 bool RegionEditor::find_outline(Region& region) {
     region.loop.clear();
     region.inner.clear();
     face_marks_.clear(mesh_.face_slots());
     for (const Face f : region.faces) {
-        if (!mesh_.is_quad(f) || mesh_.info(f).row > 0 || !face_marks_.mark(f)) return false;
+        if (!mesh_.is_quad(f) || mesh_.info(f).row > 0 || is_at_cut(f) || !face_marks_.mark(f)) return false;
     }
     HalfEdge start;
     std::size_t border = 0;

@@ -63,8 +63,10 @@ class RegionEditor {
   public:
     explicit RegionEditor(SurfaceMesh& mesh) : mesh_(mesh) {}
 
-    /// Fills in the outline and the inner nodes of region.faces. @returns false unless the faces are quads outside of rows and a
-    /// disk with a simple outline, without fixed edges and fixed nodes inside
+    /// True if one of the face's nodes lies on a cut: it has other faces, which are not in this part.
+    bool is_at_cut(Face f) const;
+    /// Fills in the outline and the inner nodes of region.faces. @returns false unless the faces are quads outside of rows and
+    /// away from cuts, and a disk with a simple outline, without fixed edges and fixed nodes inside
     bool find_outline(Region& region);
 
     /// The replacement that changes nothing: what undoes another one.

@@ -16,6 +16,7 @@ using std::numbers::pi;
 
 constexpr double kStraight = 0.85 * pi;  ///< a quad's corner above this is as good as none
 constexpr int kStraightCost = 1;
+constexpr float kNotKnown = -1.0F;  ///< angle of a sector of which the rest lies behind a cut
 
 /// Corner of face(h) at from(h), −π/4…7π/4: slightly folded corners are negative, reflex ones above π.
 double corner_angle(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& normal) {
@@ -40,17 +41,20 @@ Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
         if (!is_fixed(mesh, M::edge(start))) continue;
         const Eigen::Vector3d up = facing(mesh, start, [&](Edge e) { return is_fixed(mesh, e); });
         double angle = 0.0;
+        bool at_cut = mesh.info(M::edge(start)).cut;
         HalfEdge h = start;
         do {
             angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), up, reference));
             h = mesh.rotated_ccw(h);
         } while (!is_fixed(mesh, M::edge(h)));
-        angle_[static_cast<std::size_t>(i)] = static_cast<float>(std::max(angle, 1e-3));
+        at_cut = at_cut || mesh.info(M::edge(h)).cut;
+        angle_[static_cast<std::size_t>(i)] = at_cut ? kNotKnown : static_cast<float>(std::max(angle, 1e-3));
     }
 }
 
 int Sectors::Count::cost() const {
     if (angle == 0.0F) return irregularity(quads);
+    if (angle == kNotKnown) return 0;
     const int d = std::abs(quads - ideal);
     return d * (d + 1) / 2 + (angle / static_cast<float>(quads) > kStraight ? kStraightCost : 0);
 }

@@ -30,7 +30,8 @@ class Sectors {
     struct Count {
         int quads = 0;
         int ideal = 4;
-        float angle = 0.0F;  ///< of the sector; 0: the whole neighbourhood of a node without fixed edges
+        float angle =
+            0.0F;  ///< of the sector; 0: the whole neighbourhood of a node without fixed edges; −1: a part of a sector, cut
 
         /// As irregularity(), and more where two edges of a quad lie almost on one line, since nothing can smooth that away.
         int cost() const;

@@ -45,13 +45,7 @@ SurfaceMesh from_arrays(std::span<const Point> points, std::span<const std::arra
         mesh.set_halfedge(face, h[0]);
     }
     context.breathe();
-    // Boundary half-edges: the successor leaves the same vertex; one fan per vertex, so one boundary half-edge leaves it.
-    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-        if (mesh.is_boundary(HalfEdge(i))) mesh.set_halfedge(mesh.from(HalfEdge(i)), HalfEdge(i));
-    }
-    for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-        if (mesh.is_boundary(HalfEdge(i))) mesh.link(HalfEdge(i), mesh.halfedge(mesh.to(HalfEdge(i))));
-    }
+    mesh.link_boundary();
     return mesh;
 }
 

@@ -110,6 +110,15 @@ void SurfaceMesh::remove(Face f) {
     free_faces_.push_back(f);
 }
 
+void SurfaceMesh::link_boundary() {
+    for (std::int32_t i = 0; i < halfedge_slots(); ++i) {
+        if (!is_deleted(HalfEdge(i)) && is_boundary(HalfEdge(i))) set_halfedge(from(HalfEdge(i)), HalfEdge(i));
+    }
+    for (std::int32_t i = 0; i < halfedge_slots(); ++i) {
+        if (!is_deleted(HalfEdge(i)) && is_boundary(HalfEdge(i))) link(HalfEdge(i), halfedge(to(HalfEdge(i))));
+    }
+}
+
 void SurfaceMesh::reserve(std::int32_t vertices, std::int32_t edges, std::int32_t faces) {
     points_.reserve(static_cast<std::size_t>(vertices));
     vertex_halfedge_.reserve(static_cast<std::size_t>(vertices));

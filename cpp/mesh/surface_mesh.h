@@ -21,14 +21,15 @@ enum class NodeKind : std::uint8_t {
 struct VertexInfo {
     std::int32_t input = -1;  ///< input vertex at whose place the node still is, -1 for a new or moved node
     std::int32_t line = -1;   ///< feature line the node lies on (corners: one of them), -1 = none
+    double size = 0.0;        ///< wanted edge length of quads here (see qmorph/node_size.h), 0 = not known
     NodeKind kind = NodeKind::interior;
-    double size = 0.0;    ///< wanted edge length of quads here (see qmorph/node_size.h), 0 = not known
     bool in_row = false;  ///< node of an anisotropic row: moved only by what keeps the rows' shape
 };
 
 struct EdgeInfo {
     std::int32_t line = -1;  ///< feature line that the edge covers, -1 = none
     bool source = false;     ///< edge of a source of anisotropy
+    bool cut = false;        ///< inside the mesh, but on the boundary of the part that is worked on (parts/division.h)
 };
 
 struct FaceInfo {
@@ -137,6 +138,8 @@ class SurfaceMesh {
     void set_halfedge(Face f, HalfEdge h) { face_halfedge_[at(f)] = h; }
     /// Makes the outgoing half-edge of a boundary vertex the one without a face.
     void adjust_outgoing(Vertex v);
+    /// Links the half-edges without a face into loops. @pre no more than one of them leaves each vertex
+    void link_boundary();
     void remove(Vertex v);
     void remove(Edge e);
     void remove(Face f);

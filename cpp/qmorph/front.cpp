@@ -1,11 +1,22 @@
 #include "qmorph/front.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace anisoquad {
 
 using M = SurfaceMesh;
+
+constexpr double kNearCut = 6.0;  ///< over the size
+
+bool is_near_cut(const SurfaceMesh& mesh, HalfEdge h, const Cuts& cuts) {
+    if (cuts.empty()) return false;
+    const Vertex a = mesh.from(h);
+    const Vertex b = mesh.to(h);
+    const double size = std::max({mesh.length(h), mesh.info(a).size, mesh.info(b).size});
+    return cuts.is_near(0.5 * (mesh.position(a) + mesh.position(b)), kNearCut * size);
+}
 
 HalfEdge next_front(const SurfaceMesh& mesh, HalfEdge h) {
     HalfEdge out = mesh.next(h);
@@ -56,13 +67,13 @@ HalfEdge front_into(const SurfaceMesh& mesh, HalfEdge spoke) {
     return {};
 }
 
-int front_distance(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last, int limit) {
-    int n = 1;
+FrontWay front_way(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last, int limit) {
+    FrontWay way{1, mesh.info(M::edge(last)).cut};
     for (HalfEdge h = first; h != last; h = next_front(mesh, h)) {
-        if (++n > limit) return -1;
-        if (n > 2 && h == first) return -1;
+        if (++way.edges > limit || (way.edges > 2 && h == first)) return {-1, false};
+        way.along_cut |= mesh.info(M::edge(h)).cut;
     }
-    return n;
+    return way;
 }
 
 int loop_length(const SurfaceMesh& mesh, HalfEdge h, int limit) {

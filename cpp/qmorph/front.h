@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/surface_mesh.h"
+#include "parts/cuts.h"
 
 /// The front (Owen 1999): directed edges with an unmeshed triangle on their left and, on their right, a finished quad, nothing,
 /// or a constrained line. It is not stored but read off the mixed mesh, so it is at every moment a set of closed loops.
@@ -13,6 +14,17 @@ inline bool is_front(const SurfaceMesh& mesh, HalfEdge h) {
     const Face other = mesh.face(SurfaceMesh::twin(h));
     return !other.is_valid() || mesh.info(SurfaceMesh::edge(h)).line >= 0 || !mesh.is_triangle(other);
 }
+
+/// True for a face with a front edge.
+inline bool touches_front(const SurfaceMesh& mesh, Face f) {
+    for (const HalfEdge h : mesh.halfedges(f)) {
+        if (is_front(mesh, h)) return true;
+    }
+    return false;
+}
+
+/// True for edges so near to a cut that what is made of them might reach it, or might be made otherwise without it.
+bool is_near_cut(const SurfaceMesh& mesh, HalfEdge h, const Cuts& cuts);
 
 /// Front edge that follows `h` in its loop. @pre is_front(mesh, h)
 HalfEdge next_front(const SurfaceMesh& mesh, HalfEdge h);
@@ -29,8 +41,13 @@ Eigen::Vector3d sector_normal(const SurfaceMesh& mesh, HalfEdge h);
 /// @param spoke an edge between unmeshed triangles
 HalfEdge front_into(const SurfaceMesh& mesh, HalfEdge spoke);
 
-/// Number of edges on the front from `first` up to and with `last`, -1 if `last` is on another loop or further than `limit`.
-int front_distance(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last, int limit);
+struct FrontWay {
+    int edges = 0;
+    bool along_cut = false;  ///< where it goes on behind is not known
+};
+
+/// The front from `first` up to and with `last`; -1 edges if `last` is on another loop or further than `limit`.
+FrontWay front_way(const SurfaceMesh& mesh, HalfEdge first, HalfEdge last, int limit);
 
 /// Number of edges of the loop of `h`, or `limit` + 1 if there are more.
 int loop_length(const SurfaceMesh& mesh, HalfEdge h, int limit);

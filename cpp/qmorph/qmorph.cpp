@@ -43,13 +43,13 @@ struct Waiting {
 
 class QMorph {
   public:
-    QMorph(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context)
-        : mesh_(mesh), reference_(reference), context_(context) {}
+    QMorph(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context, const Cuts& cuts)
+        : mesh_(mesh), reference_(reference), context_(context), cuts_(cuts) {}
 
     QMorphResult run() {
         start_closed_components(mesh_);
         context_.breathe();
-        result_.quads += fill_sharp_corners(mesh_);
+        result_.quads += fill_sharp_corners(mesh_, cuts_);
         context_.breathe();
         triangles_ = 0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
@@ -68,6 +68,7 @@ class QMorph {
             if (++steps % 1024 == 0) context_.report(std::min(0.99, 2.0 * result_.quads / std::max(1, triangles_)));
             advance(top.h);
         }
+        if (!cuts_.empty()) return result_;
         const FinishResult finish = finish_remaining(mesh_);
         result_.paired = finish.pairs;
         result_.walks = finish.walks;
@@ -90,7 +91,7 @@ class QMorph {
 
     void push(HalfEdge h) {
         EdgeState& s = state(h);
-        if (s.tries >= kTries) return;
+        if (s.tries >= kTries || is_near_cut(mesh_, h, cuts_)) return;
         ++s.stamp;
         const int bits = (front_angle(mesh_, h) < kSideAngle) + (front_angle(mesh_, previous_front(mesh_, h)) < kSideAngle);
         queue_.push({2 - bits + 3 * s.tries, s.level, static_cast<float>(mesh_.length(h)), h, s.stamp});
@@ -227,6 +228,7 @@ class QMorph {
     const ReferenceSurface* reference_;
     FacetHints hints_;
     Context& context_;
+    const Cuts& cuts_;
     QMorphResult result_;
     std::priority_queue<Waiting> queue_;
     std::vector<EdgeState> states_;
@@ -235,8 +237,8 @@ class QMorph {
 
 }  // namespace
 
-QMorphResult fill_with_quads(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context) {
-    return QMorph(mesh, reference, context).run();
+QMorphResult fill_with_quads(SurfaceMesh& mesh, const ReferenceSurface* reference, Context& context, const Cuts& cuts) {
+    return QMorph(mesh, reference, context, cuts).run();
 }
 
 }  // namespace anisoquad

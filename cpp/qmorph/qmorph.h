@@ -4,6 +4,7 @@
 
 #include "context.h"
 #include "mesh/surface_mesh.h"
+#include "parts/cuts.h"
 #include "surface/reference_surface.h"
 
 namespace anisoquad {
@@ -26,6 +27,8 @@ struct QMorphResult {
 /// Edges of quads follow VertexInfo::size where it is known (qmorph/node_size.h).
 /// @pre every component of triangles has an even number of front edges (features/parity.h)
 /// @param reference surface to which smoothed nodes are brought back; null: they stay on the local fit (paper 2.1) only
-QMorphResult fill_with_quads(SurfaceMesh& mesh, const ReferenceSurface* reference = nullptr, Context& context = no_context());
+/// @param cuts of the part that the mesh is: near them the front waits, and triangles are left for the fill of the whole
+QMorphResult fill_with_quads(SurfaceMesh& mesh, const ReferenceSurface* reference = nullptr, Context& context = no_context(),
+                             const Cuts& cuts = {});
 
 }  // namespace anisoquad

@@ -45,7 +45,7 @@ bool fill_corner(SurfaceMesh& mesh, HalfEdge h) {
 
 }  // namespace
 
-int fill_sharp_corners(SurfaceMesh& mesh) {
+int fill_sharp_corners(SurfaceMesh& mesh, const Cuts& cuts) {
     int filled = 0;
     const std::int32_t last = mesh.halfedge_slots();
     for (std::int32_t i = 0; i < last; ++i) {
@@ -53,6 +53,7 @@ int fill_sharp_corners(SurfaceMesh& mesh) {
         if (mesh.is_deleted(h) || !is_front(mesh, h) || front_angle(mesh, h) > kSharp) continue;
         const HalfEdge following = next_front(mesh, h);
         if (!is_fixed(mesh, h) || !is_fixed(mesh, following)) continue;
+        if (is_near_cut(mesh, h, cuts) || is_near_cut(mesh, following, cuts)) continue;
         const double ratio = mesh.length(h) / mesh.length(following);
         if (ratio > kEvenSides || ratio < 1.0 / kEvenSides) continue;
         filled += fill_corner(mesh, h);

@@ -101,15 +101,18 @@ class SideEdge {
         return reaches_front || mesh_.length(spoke) < 2.0 * mean_length_;
     }
 
-    /// A side edge that ends on the front splits its loop in two, which must both be even.
+    /// A side edge that ends on the front splits its loop in two, which must both be even. Of one that goes along a cut this can
+    /// not be known.
     bool closes_well(HalfEdge spoke) const {
         const HalfEdge in = front_into(mesh_, M::twin(spoke));
         if (!in.is_valid()) return true;
-        const int ahead = front_distance(mesh_, out_, in, kLoopLimit);
-        if (ahead < 0) return true;  // another loop: the two become one
-        const int behind = front_distance(mesh_, next_front(mesh_, in), in_, kLoopLimit);
-        if ((ahead + behind) % 2 != 0) return true;  // other loops of the patch make up for it
-        return ahead % 2 == 1 && ahead >= 3 && behind >= 3;
+        const FrontWay ahead = front_way(mesh_, out_, in, kLoopLimit);
+        if (ahead.edges < 0) return true;  // another loop: the two become one
+        const FrontWay behind = front_way(mesh_, next_front(mesh_, in), in_, kLoopLimit);
+        const auto is_even = [](const FrontWay& way) { return way.along_cut || (way.edges % 2 == 1 && way.edges >= 3); };
+        const bool is_known = !ahead.along_cut && !behind.along_cut;
+        if (is_known && (ahead.edges + behind.edges) % 2 != 0) return true;  // other loops of the patch make up for it
+        return is_even(ahead) && is_even(behind);
     }
 
     /// The triangle of the sector in which the wanted direction lies: the half-edge opposite to the node.

@@ -257,8 +257,8 @@ class Measurer {
         }
         std::vector<Point> points = std::move(arrays_.points);
         arrays_ = {};
-        quads_ = {};
-        values_ = {};
+        std::vector<std::size_t>().swap(quads_);
+        std::vector<double>().swap(values_);
         const FacetTree result(std::move(points), std::move(halves), {}, context_);
         const double out = distance_to(reference_.tree(), result, context_);
         const double back = distance_to(result, reference_.tree(), context_);

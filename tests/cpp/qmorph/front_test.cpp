@@ -88,11 +88,11 @@ TEST(Front, DistancesCountTheEdgesOfOneLoop) {
     const HalfEdge hole = M::twin(p.mesh.halfedge(Vertex(14)));
     ASSERT_TRUE(is_front(p.mesh, hole));
     EXPECT_EQ(loop_length(p.mesh, hole, 100), 4);
-    EXPECT_EQ(front_distance(p.mesh, outer, outer, 100), 1);
-    EXPECT_EQ(front_distance(p.mesh, outer, next_front(p.mesh, outer), 100), 2);
-    EXPECT_EQ(front_distance(p.mesh, outer, previous_front(p.mesh, outer), 100), 20);
-    EXPECT_EQ(front_distance(p.mesh, outer, previous_front(p.mesh, outer), 19), -1);
-    EXPECT_EQ(front_distance(p.mesh, outer, hole, 100), -1);
+    EXPECT_EQ(front_way(p.mesh, outer, outer, 100).edges, 1);
+    EXPECT_EQ(front_way(p.mesh, outer, next_front(p.mesh, outer), 100).edges, 2);
+    EXPECT_EQ(front_way(p.mesh, outer, previous_front(p.mesh, outer), 100).edges, 20);
+    EXPECT_EQ(front_way(p.mesh, outer, previous_front(p.mesh, outer), 19).edges, -1);
+    EXPECT_EQ(front_way(p.mesh, outer, hole, 100).edges, -1);
 }
 
 TEST(Front, ASpokeKnowsItsSector) {
