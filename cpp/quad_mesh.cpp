@@ -42,6 +42,7 @@ namespace {
 using Triangles = std::span<const std::array<std::int32_t, 3>>;
 
 // Shares of the whole run that are done after a stage.
+constexpr double kPrepared = 0.26;
 constexpr double kFilledInParts = 0.65;
 constexpr double kFilled = 0.7;
 constexpr double kCleanedInParts = 0.78;
@@ -147,7 +148,7 @@ class Pipeline {
         triangles_ = {};
         end();
 
-        begin("parity", 0.25, 0.26);
+        begin("parity", 0.25, kPrepared);
         report().parity_splits = refine_small_patches(mesh_);
         context_.breathe();
         const ParityResult parity = make_parity_even(mesh_);
@@ -156,7 +157,7 @@ class Pipeline {
             warn(std::to_string(parity.left.size()) + " patches have an odd boundary that nothing can make even");
         end();
 
-        begin("fill", 0.26, kFilled);
+        begin("fill", kPrepared, kFilled);
         fill(reference);
         end();
         snapshot("fill", frame);
@@ -307,7 +308,9 @@ class Pipeline {
 
     /// Parts of a large mesh side by side; what waits near the cuts is filled from both sides afterwards.
     void fill(const ReferenceSurface& reference) {
-        const Partition partition = make_partition(mesh_, [&](Face f) { return touches_front(mesh_, f); });
+        const Partition partition = make_partition(
+            mesh_, [&](Face f) { return touches_front(mesh_, f); }, context_);
+        if (!partition.all_cuts.empty()) context_.begin_stage("fill", kPrepared, kFilledInParts);
         std::atomic<std::int32_t> left = 0;
         in_parts(mesh_, partition, context_, [&](SurfaceMesh& part, const Cuts& cuts, Context& own) {
             left += fill_with_quads(part, &reference, own, cuts).left;
@@ -321,7 +324,9 @@ class Pipeline {
 
     /// The same for the clean-up.
     void clean_up_parts(const ReferenceSurface& reference) {
-        const Partition partition = make_partition(mesh_, [](Face) { return true; });
+        const Partition partition = make_partition(
+            mesh_, [](Face) { return true; }, context_);
+        if (!partition.all_cuts.empty()) context_.begin_stage("clean-up", kFilled, kCleanedInParts);
         in_parts(mesh_, partition, context_,
                  [&](SurfaceMesh& part, const Cuts&, Context& own) { clean_up(part, reference, own); });
         if (partition.all_cuts.empty()) return;

@@ -12,7 +12,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-Division::Division(const SurfaceMesh& mesh, std::span<const std::int32_t> part_of_face, std::int32_t parts)
+Division::Division(const SurfaceMesh& mesh, std::span<const std::int32_t> part_of_face, std::int32_t parts,
+                   const Context& context)
     : mesh_(mesh),
       part_of_face_(part_of_face),
       first_(at(parts) + 1, 0),
@@ -24,6 +25,7 @@ Division::Division(const SurfaceMesh& mesh, std::span<const std::int32_t> part_o
         }
     };
     for_each_face([&](Face, std::size_t part) { ++first_[part + 1]; });
+    context.breathe();
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
     for_each_face([&](Face f, std::size_t part) { faces_[at(next[part]++)] = f; });
@@ -103,7 +105,7 @@ Part Division::take(std::int32_t part) {
     return result;
 }
 
-SurfaceMesh join(std::span<const Part> parts, std::int32_t vertex_slots, std::int32_t edge_slots) {
+SurfaceMesh join(std::span<const Part> parts, std::int32_t vertex_slots, std::int32_t edge_slots, const Context& context) {
     SurfaceMesh whole;
     std::int32_t vertices = 0;
     std::int32_t edges = 0;
@@ -124,6 +126,7 @@ SurfaceMesh join(std::span<const Part> parts, std::int32_t vertex_slots, std::in
             const HalfEdge even = halfedge[at(h.index() / 2)];
             return h.index() % 2 == 0 ? even : M::twin(even);
         };
+        context.breathe();
         vertex.assign(at(mine.vertex_slots()), {});
         for (std::int32_t i = 0; i < mine.vertex_slots(); ++i) {
             const Vertex v(i);
@@ -172,6 +175,7 @@ SurfaceMesh join(std::span<const Part> parts, std::int32_t vertex_slots, std::in
             whole.set_halfedge(mate, joined(mine.halfedge(f)));
         }
     }
+    context.breathe();
     whole.link_boundary();
     return whole;
 }

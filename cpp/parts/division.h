@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 
 namespace anisoquad {
@@ -19,8 +20,10 @@ struct Part {
 /// Takes parts out of a mesh. Reading only the mesh, parts may be taken side by side.
 class Division {
   public:
-    /// @param part_of_face per face slot; what belongs to deleted faces counts for nothing
-    Division(const SurfaceMesh& mesh, std::span<const std::int32_t> part_of_face, std::int32_t parts);
+    /// @param part_of_face per face slot, 0 … parts − 1; what belongs to deleted faces counts for nothing
+    /// @throws Error{cancelled}
+    Division(const SurfaceMesh& mesh, std::span<const std::int32_t> part_of_face, std::int32_t parts,
+             const Context& context = no_context());
 
     std::int32_t count() const { return static_cast<std::int32_t>(first_.size()) - 1; }
     std::int32_t face_count(std::int32_t part) const { return first_[at(part) + 1] - first_[at(part)]; }
@@ -42,6 +45,8 @@ class Division {
 
 /// The whole mesh again, part after part, without deleted slots.
 /// @param parts all parts of one mesh; @param vertex_slots, edge_slots of that mesh
-SurfaceMesh join(std::span<const Part> parts, std::int32_t vertex_slots, std::int32_t edge_slots);
+/// @throws Error{cancelled}
+SurfaceMesh join(std::span<const Part> parts, std::int32_t vertex_slots, std::int32_t edge_slots,
+                 const Context& context = no_context());
 
 }  // namespace anisoquad

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "mesh/face_middle.h"
 
@@ -15,8 +16,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 class Partitioner {
   public:
-    Partitioner(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start, std::int32_t most)
-        : mesh_(mesh), is_start_(is_start), most_(most) {}
+    Partitioner(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start, const Context& context, std::int32_t most)
+        : mesh_(mesh), is_start_(is_start), context_(context), most_(most) {}
 
     Partition run() {
         result_.part_of_face.assign(at(mesh_.face_slots()), -1);
@@ -36,16 +37,12 @@ class Partitioner {
         if (size(faces) > most_) {
             Eigen::AlignedBox3d box;
             for (const Face f : faces) box.extend(face_middle(mesh_, f));
+            context_.breathe();
             int axis = 0;
             box.sizes().maxCoeff(&axis);
+            const double cut = halve(faces, axis);
+            context_.breathe();
             const auto middle = faces.begin() + size(faces) / 2;
-            const auto place = [&](Face f) { return face_middle(mesh_, f)[axis]; };
-            std::nth_element(faces.begin(), middle, faces.end(), [&](Face a, Face b) {
-                const double p = place(a);
-                const double q = place(b);
-                return p != q ? p < q : a < b;
-            });
-            const double cut = place(*middle);
             const std::span<Face> low(faces.begin(), middle);
             const std::span<Face> high(middle, faces.end());
             if (is_worth_it(low) && is_worth_it(high)) {
@@ -62,6 +59,18 @@ class Partitioner {
         ++result_.parts;
     }
 
+    /// The lower ones along an axis first. @returns the place of the first one of the upper half
+    double halve(std::span<Face> faces, int axis) {
+        std::vector<std::pair<double, Face>> places;
+        places.reserve(faces.size());
+        for (const Face f : faces) places.emplace_back(face_middle(mesh_, f)[axis], f);
+        const auto middle = places.begin() + size(faces) / 2;
+        context_.breathe();
+        std::nth_element(places.begin(), middle, places.end());
+        std::transform(places.begin(), places.end(), faces.begin(), [](const auto& place) { return place.second; });
+        return middle->first;
+    }
+
     bool is_worth_it(std::span<const Face> faces) const {
         const auto starts = static_cast<double>(std::count_if(faces.begin(), faces.end(), is_start_));
         return starts >= kLeastStarts * std::sqrt(static_cast<double>(faces.size()));
@@ -69,14 +78,16 @@ class Partitioner {
 
     const SurfaceMesh& mesh_;
     const std::function<bool(Face)>& is_start_;
+    const Context& context_;
     const std::int32_t most_;
     Partition result_;
 };
 
 }  // namespace
 
-Partition make_partition(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start, std::int32_t most) {
-    return Partitioner(mesh, is_start, most).run();
+Partition make_partition(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start, const Context& context,
+                         std::int32_t most) {
+    return Partitioner(mesh, is_start, context, most).run();
 }
 
 }  // namespace anisoquad

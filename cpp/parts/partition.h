@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
 #include "parts/cuts.h"
 
@@ -22,6 +23,8 @@ struct Partition {
 /// alone, and not on the number of threads.
 /// @param most faces of a part
 /// @param is_start what is cut has such faces on both sides: from them the work begins
-Partition make_partition(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start, std::int32_t most = 1 << 17);
+/// @throws Error{cancelled}
+Partition make_partition(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start,
+                         const Context& context = no_context(), std::int32_t most = 1 << 17);
 
 }  // namespace anisoquad

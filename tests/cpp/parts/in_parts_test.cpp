@@ -38,14 +38,14 @@ shapes::Shape uneven(shapes::Shape shape) {
 Counts mesh_in_parts(Prepared& p) {
     Counts counts;
     const Partition fill = make_partition(
-        p.mesh, [&](Face f) { return touches_front(p.mesh, f); }, kSmall);
+        p.mesh, [&](Face f) { return touches_front(p.mesh, f); }, no_context(), kSmall);
     counts.parts = fill.parts;
     in_parts(p.mesh, fill, no_context(),
              [&](SurfaceMesh& part, const Cuts& cuts, Context& own) { fill_with_quads(part, &p.reference, own, cuts); });
     if (!fill.all_cuts.empty()) counts.left = fill_with_quads(p.mesh, &p.reference).left;
     EXPECT_TRUE(validate(p.mesh).empty());
     const Partition clean = make_partition(
-        p.mesh, [](Face) { return true; }, kSmall);
+        p.mesh, [](Face) { return true; }, no_context(), kSmall);
     in_parts(p.mesh, clean, no_context(),
              [&](SurfaceMesh& part, const Cuts&, Context& own) { clean_up(part, p.reference, own); });
     counts.cleaned = clean_up_near(clean.all_cuts, p.mesh, p.reference);

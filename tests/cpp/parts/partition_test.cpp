@@ -22,7 +22,7 @@ SurfaceMesh prepared(const shapes::Shape& shape) {
 
 Partition by_front(const SurfaceMesh& mesh, std::int32_t most) {
     return make_partition(
-        mesh, [&](Face f) { return touches_front(mesh, f); }, most);
+        mesh, [&](Face f) { return touches_front(mesh, f); }, no_context(), most);
 }
 
 std::vector<std::int32_t> face_counts(const Partition& partition) {
@@ -71,7 +71,7 @@ TEST(Partition, DoesNotCutWhereOneHalfHasNothingToStartFrom) {
     EXPECT_EQ(whole.parts, 1);
     EXPECT_TRUE(whole.all_cuts.empty());
     const Partition cut = make_partition(
-        sphere, [](Face) { return true; }, 400);
+        sphere, [](Face) { return true; }, no_context(), 400);
     EXPECT_EQ(cut.parts, 2);
 }
 
