@@ -55,7 +55,7 @@ class Cleaner {
     std::int32_t run(const Cuts& cuts) {
         if (!cuts.empty()) begin_near(cuts);
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
-            if (cuts.empty() || last_change(Vertex(i)) > 0) push(Vertex(i));
+            if (last_change(Vertex(i)) > tried_before_) push(Vertex(i));
         }
         most_work_ = kLeastWork + kWorkPerQuad * static_cast<std::size_t>(mesh_.face_count());
         most_tries_ = kLeastTries + kTriesPerNode * queue_.size();
@@ -132,7 +132,7 @@ class Cleaner {
         std::size_t poor = 0;
         for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
             const Face f(i);
-            poor += is_repairable(f) && scaled_jacobian(mesh_, f) <= kPoor ? 1 : 0;
+            poor += is_repairable(f) && is_in_reach(f) && scaled_jacobian(mesh_, f) <= kPoor ? 1 : 0;
         }
         most_tries_ = std::max(most_tries_, trial_.tries() + kTriesPerPoor * std::min(poor, kMostPoor));
         most_work_ = std::max(most_work_, trial_.work() + kWorkPerPoor * std::min(poor, kMostPoor));
@@ -150,6 +150,15 @@ class Cleaner {
 
     bool is_repairable(Face f) const { return !mesh_.is_deleted(f) && mesh_.is_quad(f) && mesh_.info(f).row == 0; }
 
+    /// False for what was tried before and lies far from all that has changed since.
+    bool is_in_reach(Face f) const {
+        if (tried_before_ < 0) return true;
+        for (const HalfEdge h : mesh_.halfedges(f)) {
+            if (last_change(mesh_.from(h)) > tried_before_) return true;
+        }
+        return false;
+    }
+
     /// True for faces of no row round which something changed since they were last given to this function with the same list.
     bool is_due(Face f, std::vector<std::int32_t>& tried) const {
         if (!is_repairable(f)) return false;
@@ -164,7 +173,7 @@ class Cleaner {
     /// @param worst scaled Jacobian above which the quad is left as it is
     void repair(Face f, double worst) {
         breathe();
-        if (!is_repairable(f)) return;
+        if (!is_repairable(f) || !is_in_reach(f)) return;
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > worst || !is_due(f, repaired_)) return;
         const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;

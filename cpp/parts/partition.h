@@ -25,6 +25,6 @@ struct Partition {
 /// @param is_start what is cut has such faces on both sides: from them the work begins
 /// @throws Error{cancelled}
 Partition make_partition(const SurfaceMesh& mesh, const std::function<bool(Face)>& is_start,
-                         const Context& context = no_context(), std::int32_t most = 1 << 17);
+                         const Context& context = no_context(), std::int32_t most = 1 << 16);
 
 }  // namespace anisoquad
