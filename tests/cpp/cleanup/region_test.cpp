@@ -27,6 +27,20 @@ TEST(Region, OutlineOfAStarHasItsQuadsOnTheLeft) {
     }
 }
 
+TEST(Region, FacesAtACutHaveNoOutline) {
+    SurfaceMesh mesh = shapes::quad_grid(4, 4);
+    RegionEditor editor(mesh);
+    const HalfEdge border = mesh.find_halfedge(Vertex(1), Vertex(2));
+    Region at_border{{mesh.face(border)}, {}, {}};
+    Region beside{{mesh.face(mesh.find_halfedge(Vertex(2), Vertex(3)))}, {}, {}};
+    Region away{{mesh.face(mesh.find_halfedge(Vertex(12), Vertex(13)))}, {}, {}};
+    for (Region* region : {&at_border, &beside, &away}) EXPECT_TRUE(editor.find_outline(*region));
+    mesh.info(SurfaceMesh::edge(border)).cut = true;
+    EXPECT_FALSE(editor.find_outline(at_border));
+    EXPECT_FALSE(editor.find_outline(beside));  // it has a node of the cut
+    EXPECT_TRUE(editor.find_outline(away));
+}
+
 TEST(Region, WhatIsNoDiskOrHoldsFixedThingsHasNoOutline) {
     SurfaceMesh mesh = shapes::quad_grid(4, 4);
     RegionEditor editor(mesh);

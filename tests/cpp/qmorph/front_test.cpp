@@ -82,6 +82,31 @@ TEST(Front, AQuadMovesIt) {
     EXPECT_EQ(loop_length(p.mesh, p.mesh.find_halfedge(Vertex(5), Vertex(6)), 100), 16);
 }
 
+TEST(Front, TellsWhereItGoesAlongACut) {
+    Prepared p(shapes::grid(4, 3));
+    const HalfEdge first = p.mesh.find_halfedge(Vertex(0), Vertex(1));
+    const HalfEdge second = next_front(p.mesh, first);
+    const HalfEdge third = next_front(p.mesh, second);
+    p.mesh.info(M::edge(third)).cut = true;
+    EXPECT_FALSE(front_way(p.mesh, first, second, 100).along_cut);
+    EXPECT_TRUE(front_way(p.mesh, first, third, 100).along_cut);
+    EXPECT_TRUE(front_way(p.mesh, third, first, 100).along_cut);
+    EXPECT_FALSE(front_way(p.mesh, next_front(p.mesh, third), second, 100).along_cut);
+}
+
+TEST(Front, IsNearACutWithinSomeSizes) {
+    Prepared p(shapes::grid(40, 3));
+    Cuts cuts;
+    const auto bottom = [&](std::int32_t i) { return p.mesh.find_halfedge(Vertex(i), Vertex(i + 1)); };
+    EXPECT_FALSE(is_near_cut(p.mesh, bottom(30), cuts));
+    cuts.add(0, 30.0, {Point(0.0, 0.0, 0.0), Point(40.0, 3.0, 0.0)});
+    EXPECT_TRUE(is_near_cut(p.mesh, bottom(30), cuts));
+    EXPECT_TRUE(is_near_cut(p.mesh, bottom(25), cuts));
+    EXPECT_FALSE(is_near_cut(p.mesh, bottom(10), cuts));
+    p.mesh.info(Vertex(10)).size = 5.0;  // larger quads reach further
+    EXPECT_TRUE(is_near_cut(p.mesh, bottom(10), cuts));
+}
+
 TEST(Front, DistancesCountTheEdgesOfOneLoop) {
     Prepared p(shapes::grid_with_holes(5, 5, [](int i, int j) { return i != 2 || j != 2; }));
     const HalfEdge outer = p.mesh.find_halfedge(Vertex(0), Vertex(1));

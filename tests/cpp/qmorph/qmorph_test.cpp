@@ -69,6 +69,27 @@ TEST(QMorph, FillsSeveralComponents) {
     expect_filled(p);
 }
 
+TEST(QMorph, WaitsNearCuts) {
+    Prepared p(shapes::grid(40, 10));
+    assign_node_sizes(p.mesh);
+    Cuts cuts;
+    cuts.add(0, 40.0, {Point(0.0, 0.0, 0.0), Point(80.0, 10.0, 0.0)});
+    EXPECT_EQ(fill_with_quads(p.mesh, &p.reference, no_context(), cuts).left, 0);  // what waits is not left over
+    int quads = 0;
+    for (const Face f : faces(p.mesh)) {
+        Point middle = Point::Zero();
+        for (const HalfEdge h : p.mesh.halfedges(f)) middle += p.mesh.position(p.mesh.from(h)) / p.mesh.valence(f);
+        if (middle.x() > 36.0) {
+            EXPECT_TRUE(p.mesh.is_triangle(f));
+        } else if (middle.x() < 30.0) {
+            EXPECT_TRUE(p.mesh.is_quad(f));
+        }
+        quads += p.mesh.is_quad(f);
+    }
+    EXPECT_GT(quads, 300);
+    expect_filled(p);  // and is filled without them
+}
+
 TEST(QMorph, AnOddPatchIsMadeEvenFirst) {
     shapes::Shape shape = shapes::grid(9, 7);
     shape.triangles.erase(shape.triangles.begin());
