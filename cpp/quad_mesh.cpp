@@ -32,6 +32,7 @@
 #include "qmorph/node_size.h"
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
+#include "release.h"
 #include "smoothing/final_smoothing.h"
 #include "smoothing/onto_target.h"
 #include "surface/reference_surface.h"
@@ -50,12 +51,6 @@ constexpr double kCleaned = 0.8;
 constexpr int kRepairRounds = 2;
 constexpr int kMostInverted = 400;  ///< of a surface that folds over itself, say: more is beyond repair, and would take long
 constexpr double kFoldWidth = 0.6;  ///< of what counts as a fold, over the largest size
-
-/// Gives the memory back, which an assignment of {} keeps.
-template <class T>
-void release(std::vector<T>& v) {
-    std::vector<T>().swap(v);
-}
 
 /// Six digits, whatever the unit.
 std::string length_text(double length) {

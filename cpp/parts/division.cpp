@@ -1,6 +1,5 @@
 #include "parts/division.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace anisoquad {
@@ -81,11 +80,7 @@ Part Division::take(std::int32_t part) {
         for (std::size_t k = 0; k < n; ++k) {
             const HalfEdge twin = M::twin(side[k]);
             const bool has_mate = is_inside(twin, part);
-            // Faces come in their order; both sides may be of one face.
-            const bool is_known =
-                has_mate && (mesh_.face(twin) < f || std::find(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(k),
-                                                               twin) != side.begin() + static_cast<std::ptrdiff_t>(k));
-            if (is_known) {
+            if (has_mate && mesh_.face(twin) < f) {  // faces come in their order
                 copy.push_back(M::twin(HalfEdge(taken_[at(twin.index())])));
             } else {
                 copy.push_back(mine.add_edge(corner[k], corner[(k + 1) % n]));

@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-
 #include <vector>
 
 #include "parts/division.h"

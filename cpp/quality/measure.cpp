@@ -17,6 +17,7 @@
 #include "quality/distance.h"
 #include "quality/metrics.h"
 #include "quality/row_report.h"
+#include "release.h"
 #include "surface/reference_surface.h"
 
 namespace anisoquad {
@@ -257,8 +258,8 @@ class Measurer {
         }
         std::vector<Point> points = std::move(arrays_.points);
         arrays_ = {};
-        std::vector<std::size_t>().swap(quads_);
-        std::vector<double>().swap(values_);
+        release(quads_);
+        release(values_);
         const FacetTree result(std::move(points), std::move(halves), {}, context_);
         const double out = distance_to(reference_.tree(), result, context_);
         const double back = distance_to(result, reference_.tree(), context_);
