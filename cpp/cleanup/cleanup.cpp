@@ -30,9 +30,13 @@ constexpr double kPoor = 0.25;         ///< scaled Jacobian of quads that are re
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
+constexpr double kThorough = 0.8;  ///< share of what a quad lacks to be usable that its repair should make good
+constexpr double kSlim =
+    0.2;  ///< scaled Jacobian of quads for which a few irregular nodes are paid if that makes them much better
+constexpr Trial::Demands kRepairAtAPrice{-8, 0.4, 0.1, 6.0};
 constexpr double kFar = 1.2e-3;  ///< distance from the surface, over its diagonal, of quads that are repaired
 constexpr double kBent = 0.9;    ///< cosine of the turn to a neighbour below which quads may be far
-constexpr Trial::Demands kBringNearer{-12, 0.25, 0.0, 6.0, 0.7};
+constexpr Trial::Demands kBringNearer{-12, 0.25, 0.0, 6.0, 0.0, 0.7};
 constexpr int kRepairRounds = 3;
 constexpr double kNearCut = 12.0;  ///< over the length of an edge: where regions could not grow in the parts
 
@@ -142,6 +146,7 @@ class Cleaner {
             for (const double worst : {Trial::kUpright, kPoor}) {
                 for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair(Face(i), worst);
             }
+            for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) repair_at_a_price(Face(i));
             for (std::int32_t i = 0; i < mesh_.face_slots() && may_try(); ++i) bring_nearer(Face(i));
             work_off();
             if (operations_ == before) return;
@@ -176,19 +181,37 @@ class Cleaner {
         if (!is_repairable(f) || !is_in_reach(f)) return;
         const double quality = scaled_jacobian(mesh_, f);
         if (quality > worst || !is_due(f, repaired_)) return;
-        const Trial::Demands& demands = quality > kUnusable ? kRepair : kRepairAtAnyPrice;
-        const bool changed = change_round(f, demands);
-        if (quality > kUnusable) return;
+        if (quality > kUnusable) {
+            change_round(f, kRepair);
+            return;
+        }
+        // Once for good, before anything will do.
+        Trial::Demands thorough = kRepairAtAnyPrice;
+        thorough.deficit = kThorough * (kUnusable - std::max(0.0, quality));
+        if (repair_at_price(f, thorough)) return;
+        const bool changed = change_round(f, kRepairAtAnyPrice);
         // What was mended may have been a neighbour.
         if (changed && (mesh_.is_deleted(f) || !mesh_.is_quad(f) || scaled_jacobian(mesh_, f) > Trial::kUpright)) return;
-        if (!inset(f, demands)) grow_round(f, demands);
+        if (!inset(f, kRepairAtAnyPrice)) grow_round(f, kRepairAtAnyPrice);
+    }
+
+    void repair_at_a_price(Face f) {
+        breathe();
+        if (!is_repairable(f) || !is_in_reach(f)) return;
+        const double quality = scaled_jacobian(mesh_, f);
+        if (quality <= kUnusable || quality > kSlim || !is_due(f, repaired_at_a_price_)) return;
+        repair_at_price(f, kRepairAtAPrice);
+    }
+
+    bool repair_at_price(Face f, const Trial::Demands& demands) {
+        return change_round(f, demands) || inset(f, demands) || grow_round(f, demands);
     }
 
     /// A quad that spans a fold of the surface is worth irregular nodes, if the new ones lie nearer.
     void bring_nearer(Face f) {
         breathe();
         if (!is_due(f, brought_nearer_) || !is_far(f)) return;
-        if (!change_round(f, kBringNearer) && !inset(f, kBringNearer)) grow_round(f, kBringNearer);
+        repair_at_price(f, kBringNearer);
     }
 
     bool is_far(Face f) const {
@@ -304,8 +327,9 @@ class Cleaner {
     std::vector<char> queued_;
     std::vector<std::int32_t> changed_;   ///< per node: number of the last operation near it
     std::vector<std::int32_t> repaired_;  ///< per face: number of the last operation when its repair was last tried, −1 = never
-    std::vector<std::int32_t> brought_nearer_;  ///< the same for bring_nearer()
-    std::int32_t last_round_ = 0;               ///< number of the operation before the last round
+    std::vector<std::int32_t> repaired_at_a_price_;  ///< the same for repair_at_a_price()
+    std::vector<std::int32_t> brought_nearer_;       ///< the same for bring_nearer()
+    std::int32_t last_round_ = 0;                    ///< number of the operation before the last round
     std::size_t most_tries_ = 0;
     std::size_t most_work_ = 0;
     std::vector<Proposal> proposals_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cleanup/facing.h"
+#include "cleanup/folds.h"
 #include "mesh/area_vector.h"
 #include "quality/metrics.h"
 #include "smoothing/laplacian.h"
@@ -24,13 +25,14 @@ constexpr double kUseless = 0.05;    ///< scaled Jacobian
 constexpr double kAnyAspect = 20.0;  ///< for the repair of what is useless
 constexpr double kAspectOfSlivers =
     1e6;  ///< for the repair of what is inverted: between lines that meet at a small angle all is slim
-constexpr double kMadeUseful = 0.01;    ///< gain of the scaled Jacobian that counts as repair where it was useless
-constexpr double kRepaired = 0.1;       ///< gain of the scaled Jacobian that counts as repair
-constexpr double kMoreAspect = 1.5;     ///< for a repair
-constexpr double kLongestAspect = 3.0;  ///< stretched quads pass if there were such before
-constexpr double kMeanLoss = 0.03;      ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
-constexpr double kDistance = 5e-4;      ///< from the surface, over its diagonal, that passes in any case
-constexpr double kCountChange = 0.1;    ///< share of the quads that may come or go, so that sizes are kept
+constexpr double kMadeUseful = 0.01;         ///< gain of the scaled Jacobian that counts as repair where it was useless
+constexpr double kRepaired = 0.1;            ///< gain of the scaled Jacobian that counts as repair
+constexpr double kMoreAspect = 1.5;          ///< for a repair
+constexpr double kMoreAspectAtAPrice = 2.5;  ///< for one that is worth irregular nodes
+constexpr double kLongestAspect = 3.0;       ///< stretched quads pass if there were such before
+constexpr double kMeanLoss = 0.03;           ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
+constexpr double kDistance = 5e-4;           ///< from the surface, over its diagonal, that passes in any case
+constexpr double kCountChange = 0.1;         ///< share of the quads that may come or go, so that sizes are kept
 
 }  // namespace
 
@@ -65,6 +67,7 @@ int Trial::gain(const Region& region, const Replacement& replacement) const {
 
 Trial::Quality Trial::quality(std::span<const Face> faces) const {
     Quality result;
+    result.folds = count_folds(mesh_, faces);
     result.mean = 0.0;
     std::array<Point, 4> p;
     std::int32_t hint = -1;
@@ -98,6 +101,8 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
 bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
     if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
     if (after.worst < std::min(before.worst, demands.bound) || after.inverted > before.inverted) return false;
+    if (after.folds > before.folds) return false;
+    if (demands.deficit > 0.0 && after.deficit > before.deficit - demands.deficit) return false;
     if (demands.nearer < 1.0)
         return after.distance <= demands.nearer * before.distance &&
                after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
@@ -109,7 +114,8 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
     // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
     if (fewer_useless) return after.aspect <= std::max(before.aspect, before.worst > kUpright ? kAnyAspect : kAspectOfSlivers);
     if (before.worst < kBad && after.worst > before.worst + kRepaired) {
-        return after.aspect <= kMoreAspect * std::max(before.aspect, kLongestAspect);
+        const double more = demands.gain < 0 ? kMoreAspectAtAPrice : kMoreAspect;
+        return after.aspect <= more * std::max(before.aspect, kLongestAspect);
     }
     return after.aspect <= std::max(before.aspect, kLongestAspect) && after.mean >= before.mean - kMeanLoss;
 }

@@ -16,6 +16,7 @@ class Trial {
         double bound = 0.4;         ///< scaled Jacobian: the worst element may fall to it
         double improvement = 0.0;   ///< > 0: the worst element must get better by this, or those that are useless in sum
         double count_change = 2.0;  ///< quads that may come or go in any case
+        double deficit = 0.0;       ///< > 0: what elements lack to be of use must fall by this in sum
         double nearer = 1.0;        ///< < 1: the distance from the surface must fall to this share of what it was
     };
 
@@ -45,6 +46,7 @@ class Trial {
         double worst = 1.0;     ///< scaled Jacobian, negative where turned over
         double mean = 1.0;      ///< of the scaled Jacobian
         int inverted = 0;       ///< elements that are turned over or have a corner of 180°
+        int folds = 0;          ///< see count_folds()
         double deficit = 0.0;   ///< sum of what elements lack to be of use
         double aspect = 1.0;    ///< largest ratio of longest to shortest edge
         double distance = 0.0;  ///< of the quads' middles and edges from the surface

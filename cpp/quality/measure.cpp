@@ -117,13 +117,13 @@ class Measurer {
         report_.warpage = distribution([&](Face f) { return warpage(mesh_, f); }, false);
     }
 
-    /// Folded quads, and those turned over as a whole: against the surface below them and against a neighbour. The neighbour is
-    /// asked too because on a thin body the closest facet can be one of the other side.
+    /// Folded quads, those with a corner of 180°, and those turned over as a whole: against the surface below them and against a
+    /// neighbour. The neighbour is asked too because on a thin body the closest facet can be one of the other side.
     void count_inverted() {
         report_.inverted = 0;
         std::int32_t hint = -1;
         for (const std::size_t i : quads_) {
-            if (!(scaled_jacobian(mesh_, face(i)) > 0.0)) {
+            if (!(scaled_jacobian(mesh_, face(i)) > kLeastUpright)) {
                 ++report_.inverted;
                 continue;
             }

@@ -7,6 +7,10 @@
 /// the nodes from halfedge(f) on. @pre the face is a quad
 namespace anisoquad {
 
+/// Scaled Jacobian up to which an element counts as inverted: beyond it rounding no longer chooses the sign. A corner of 180° has
+/// 0.
+constexpr double kLeastUpright = 1e-6;
+
 /// Smallest sine of a corner, negative where a corner is folded; the quad's own normal (cross product of its two principal
 /// axes) says which side is up, so a quad that is turned over as a whole counts as good. −1…1, 0 when an edge has no length.
 double scaled_jacobian(const Point& a, const Point& b, const Point& c, const Point& d);

@@ -28,8 +28,7 @@ constexpr double kRelaxation =
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
-constexpr int kFirstOfRows = 3;    ///< sweep from which nodes of rows slide: not for what the nodes beside them can better
-constexpr double kUpright = 1e-6;  ///< scaled Jacobian at which rounding no longer chooses the sign
+constexpr int kFirstOfRows = 3;  ///< sweep from which nodes of rows slide: not for what the nodes beside them can better
 
 struct Statistics {
     double min = 1.0;
@@ -50,7 +49,7 @@ Statistics statistics(const SurfaceMesh& mesh) {
             if (mesh.is_deleted(f) || !mesh.is_quad(f)) continue;
             const double q = scaled_jacobian(mesh, f);
             s.of.min = std::min(s.of.min, q);
-            s.of.inverted += q <= kUpright ? 1 : 0;
+            s.of.inverted += q <= kLeastUpright ? 1 : 0;
             s.quality += q;
             ++s.quads;
         }

@@ -129,6 +129,17 @@ TEST(Cleanup, AQuadWithAFlatCornerOnALineIsRepaired) {
     EXPECT_GT(worst(mesh), 0.05);
 }
 
+TEST(Cleanup, AQuadWithAnAlmostFlatCornerIsWorthIrregularNodes) {
+    // A patch of one quad, at whose node 1 the outline hardly turns.
+    SurfaceMesh mesh = shapes::quad_mesh({{0, 0.06, 0}, {1, 0, 0}, {2, 0.06, 0}, {1, 1.75, 0}}, {{0, 1, 2, 3}});
+    const double before = worst(mesh);
+    ASSERT_GT(before, 0.1);
+    ASSERT_LT(before, 0.2);
+    clean_up(mesh, shapes::plane(2.0, 2.0));
+    EXPECT_EQ(shapes::defects(mesh), "");
+    EXPECT_GT(worst(mesh), before + 0.1);
+}
+
 TEST(Cleanup, AnInsetGivesEveryCornerOneQuadMore) {
     SurfaceMesh mesh = shapes::quad_grid(1, 1);
     std::vector<Proposal> proposals;
