@@ -1,5 +1,6 @@
 """Triangles from files, quad meshes to files. No FreeCAD."""
 
+import re
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
@@ -63,7 +64,7 @@ def _first_line(error):
 
 def _read_off(path):
     lines = [line for line in (raw.split("#", 1)[0].split() for raw in path.read_text(errors="replace").splitlines()) if line]
-    if not lines or lines[0][0] != "OFF":
+    if not lines or not re.fullmatch("(ST)?C?N?OFF", lines[0][0]):  # what these letters add follows the coordinates
         raise ValueError("it does not begin with OFF")
     first = lines.pop(0)[1:]
     counts = first or lines.pop(0)
@@ -94,8 +95,14 @@ def _read_by_meshio(path):
 
     if path.stat().st_size == 0:
         raise ValueError("it is empty")
-    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):  # it prints what it also raises
-        mesh = meshio.read(path)
+    said = StringIO()
+    try:
+        with redirect_stdout(said), redirect_stderr(said):  # it prints why it ends
+            mesh = meshio.read(path)
+    except SystemExit:
+        raise ValueError(_first_line(said.getvalue())) from None
+    except KeyError as error:
+        raise ValueError(f"it holds data that can't be read: {error}") from None
     if len(mesh.cells) == 1 and mesh.cells[0].type == "triangle":
         return mesh.points[:, :3], mesh.cells[0].data
     facets = [facet for cells in mesh.cells if cells.type not in ("vertex", "line") for facet in cells.data]

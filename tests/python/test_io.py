@@ -61,6 +61,25 @@ class Read(Folder):
             self.assertEqual(triangles.tolist(), [[0, 1, 2], [0, 2, 3]])
             self.assertEqual(points.shape, (4, 3))
 
+    def test_off_with_colours_and_normals_of_vertices(self):
+        for keyword, more in (("COFF", " 255 0 0 255"), ("NOFF", " 0 0 1"), ("CNOFF", " 0 0 1 255 0 0 255")):
+            lines = OFF.splitlines()
+            text = "\n".join([keyword, lines[1]] + [line + more for line in lines[2:6]] + lines[6:])
+            points, triangles = read_triangles(self.file("a.off", text))
+            self.assertEqual(triangles.tolist(), [[0, 1, 2], [0, 2, 3]])
+            self.assertEqual(points.tolist(), [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+        for keyword in ("4OFF", "nOFF", "OFFX"):
+            with self.assertRaisesRegex(anisoquad.MeshError, "does not begin with OFF"):
+                read_triangles(self.file("a.off", OFF.replace("OFF", keyword)))
+
+    def test_ply_with_what_no_reader_knows_is_told_by_its_name(self):
+        ply = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\n{}end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2{}\n")
+        for more, values, told in (("element edge 1\nproperty int vertex1\n", "\n0", "edge"),
+                                   ("property list uchar float texcoord\n", " 2 0 0", "float")):
+            with self.assertRaisesRegex(anisoquad.MeshError, told):
+                read_triangles(self.file("a.ply", ply.format(more, values)))
+
     def test_obj_with_negative_ids_textures_and_colours(self):
         points, triangles = read_triangles(self.file("a.obj", "v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -3/1 -2//1 -1\n"))
         self.assertEqual(triangles.tolist(), [[0, 1, 2]])
@@ -94,7 +113,6 @@ class Read(Folder):
                 read_triangles(self.file(name, content))
             self.assertEqual(caught.exception.code, "unreadable_file")
             self.assertIn(name, str(caught.exception))
-
 
     def test_ids_out_of_range_are_named_by_the_core(self):
         for last in ("7", "-1", "4294967296"):
