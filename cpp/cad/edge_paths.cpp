@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "cad/closest_point.h"
+#include "cad/corners.h"
 
 namespace anisoquad::cad {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAtVertex = 0.1;   ///< of the shortest edge at a mesh vertex: how far it may be off its CAD vertex
 constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
 constexpr double kBow = 0.6;        ///< largest distance of the curve from a mesh edge's middle, over the edge's length
 
@@ -27,28 +27,12 @@ class Tracer {
           least_(kRounding * shape.diagonal()) {}
 
     EdgePaths run() {
-        for (const Vector3d& corner : shape_.vertices()) result_.at_vertex.push_back(nearest(corner));
+        result_.at_vertex = find_corners(shape_, points_, neighbours_);
         for (const CadEdge& edge : shape_.edges()) result_.paths.push_back(edge.is_degenerated() ? EdgePath{} : trace(edge));
         return std::move(result_);
     }
 
   private:
-    std::int32_t nearest(const Vector3d& corner) const {
-        double best = std::numeric_limits<double>::infinity();
-        std::int32_t found = -1;
-        for (std::size_t v = 0; v < points_.size(); ++v) {
-            const double squared = (points_[v] - corner).squaredNorm();
-            if (!(squared < best) || neighbours_.of(static_cast<std::int32_t>(v)).empty()) continue;
-            best = squared;
-            found = static_cast<std::int32_t>(v);
-        }
-        if (found < 0) return -1;
-        double shortest = std::numeric_limits<double>::infinity();
-        for (const std::int32_t w : neighbours_.of(found))
-            shortest = std::min(shortest, (points_[at(w)] - points_[at(found)]).norm());
-        return std::sqrt(best) <= std::max(least_, kAtVertex * shortest) ? found : -1;
-    }
-
     EdgePath trace(const CadEdge& edge) const {
         const std::int32_t first = result_.at_vertex[at(edge.vertex[0])];
         const std::int32_t last = result_.at_vertex[at(edge.vertex[1])];
