@@ -4,6 +4,7 @@
 #include <queue>
 #include <vector>
 
+#include "anisotropy/raise_sizes.h"
 #include "prepare/remesh.h"
 #include "qmorph/front.h"
 
@@ -11,8 +12,8 @@ namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
-constexpr double kFallOff = 0.64;  // of the raised size per unit of way
-constexpr double kGrowth = 0.5;    // of the size away from lines, whose nodes are fixed
+
+constexpr double kGrowth = 0.5;  // of the size away from lines, whose nodes are fixed
 
 struct Raised {
     double size;
