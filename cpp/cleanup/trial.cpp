@@ -31,8 +31,8 @@ constexpr double kMoreAspect = 1.5;          ///< for a repair
 constexpr double kMoreAspectAtAPrice = 2.5;  ///< for one that is worth irregular nodes
 constexpr double kLongestAspect = 3.0;       ///< stretched quads pass if there were such before
 constexpr double kMeanLoss = 0.03;           ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
-constexpr double kDistance = 5e-4;           ///< from the surface, over its diagonal, that passes in any case
-constexpr double kCountChange = 0.1;         ///< share of the quads that may come or go, so that sizes are kept
+constexpr double kDistance = 5.1e-4;  ///< from the surface, over its diagonal, that passes in any case: more than project() lifts
+constexpr double kCountChange = 0.1;  ///< share of the quads that may come or go, so that sizes are kept
 
 }  // namespace
 
