@@ -61,6 +61,38 @@ TEST(QuadMeshWithSources, AlongACylinder) {
     expect_good_with(shapes::cylinder(48, 30, 1.0, 4.0), {source(path(5, 30 * 48 + 5, 48), {{3, 0}, {2, 0}})}, 1e-3);
 }
 
+/// Two skins and the blunt edge that joins them, as thick as given; the skins' cells are unit squares. Points (i, j) have the
+/// index j·(nx + 1) + i; the edge lies between j = ny and j = ny + 1.
+shapes::Shape blunt_edge(int nx, int ny, double thickness) {
+    shapes::Shape shape = shapes::grid(nx, 2 * ny + 1);
+    for (Point& p : shape.points) {
+        const bool lower = p.y() < ny + 0.5;
+        p = {p.x(), lower ? ny - p.y() : p.y() - ny - 1.0, lower ? 0.0 : thickness};
+    }
+    return shape;
+}
+
+TEST(QuadMeshWithSources, ABluntEdgeGetsOneQuadForEachEdgeOfTheSource) {
+    const shapes::Shape shape = blunt_edge(48, 24, 0.25);
+    const std::vector<Source> sources{source(path(24 * 49, 24 * 49 + 48, 1), {{4, 0}})};
+    const QuadMeshResult result = meshed(shape, sources);
+    expect_good(shape, result, sources, 1e-9);
+    int near = 0;
+    int far = 0;
+    for (const Point& p : result.points) {
+        if (std::abs(p.y()) > 1e-9) continue;
+        ++(p.z() < 0.1 ? near : far);
+    }
+    EXPECT_LT(near, 25);  // of 49 nodes of the source
+    EXPECT_EQ(far, near);
+    EXPECT_GT(result.report.scaled_jacobian.min, 0.4);
+}
+
+TEST(QuadMeshWithSources, BothEdgesOfABluntEdge) {
+    const auto edge = [](int j) { return source(path(j * 49, j * 49 + 48, 1), {{4, 0}}); };
+    expect_good_with(blunt_edge(48, 24, 0.25), {edge(24), edge(25)});
+}
+
 TEST(QuadMeshWithSources, ColumnsAreNoWiderThanTheSurfaceAheadAllows) {
     // Squares as wide as the columns follow the rows, round the cylinder: at 1:8 they would leave it by 3.6e-3 of its diagonal.
     const shapes::Shape cylinder = shapes::cylinder(60, 120, 1.0, 12.0);
