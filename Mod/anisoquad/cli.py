@@ -7,7 +7,7 @@ from pathlib import Path
 
 from . import __version__, cad, gmsh
 from .errors import MeshError
-from .io import read_triangles, writable, write_mesh
+from .io import read_and_split, read_triangles, writable, write_mesh
 from .meshing import Options, quad_mesh
 from .source import Source
 from .summary import quality_table
@@ -31,8 +31,10 @@ def main(arguments=None):
         else:
             if given.source_edges or given.smooth_angle or given.deflection or given.triangulator:
                 raise MeshError("--source-edges, --smooth-angle, --deflection and --triangulator need a CAD file")
-            points, triangles = read_triangles(given.input)
+            points, triangles, split = read_and_split(given.input) if options.repair else (*read_triangles(given.input), 0)
             mesh = quad_mesh(points, triangles, _read_sources(given), options)
+            if split:
+                mesh.report["warnings"].insert(0, f"{split} facets with more than three corners were split into triangles")
         write_mesh(given.output, mesh)
         if given.report:
             _write_report(given.report, mesh.report)

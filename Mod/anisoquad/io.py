@@ -9,6 +9,7 @@ import numpy as np
 
 from .errors import MeshError
 from .groups import face_groups, line_groups
+from .polygons import split_polygons
 from .quality import scaled_jacobian
 
 
@@ -18,21 +19,46 @@ def read_triangles(path):
     The points keep the file's order; those of an .stl are welded where equal, in the order in which they appear.
     Raises MeshError ("unreadable_file") when the file can not be read, or holds facets that are not triangles.
     """
-    path = Path(path)
+    points, facets = _read(Path(path))
+    for index, facet in enumerate(facets if isinstance(facets, list) else ()):
+        if len(facet) != 3:
+            raise MeshError(f"{path}: facet {index} has {len(facet)} corners; only triangles can be meshed, a repair splits others",
+                            code="unreadable_file", kind="facet", ids=[index])
+    return points, _as_triangles(facets)
+
+
+def read_and_split(path):
+    """(points, triangles, number of facets with more corners that were split) of a file, see read_triangles()."""
+    points, facets = _read(Path(path))
+    try:
+        triangles, split = split_polygons(points, facets) if isinstance(facets, list) else (facets, 0)
+    except ValueError as error:
+        raise _unreadable(path, str(error)) from None
+    return points, _as_triangles(triangles), split
+
+
+def _as_triangles(facets):
+    # What int32 can't hold is out of range at its limits too: the core names the facets.
+    triangles = np.clip(np.array(facets, np.int64).reshape(-1, 3), np.iinfo(np.int32).min, np.iinfo(np.int32).max)
+    return np.ascontiguousarray(triangles, np.int32)
+
+
+def _read(path):
+    """(points (N,3) float64, facets: an (M,3) array or lists of ids)."""
     reader = _READERS.get(path.suffix.lower())
     if reader is None:
         raise _unreadable(path, f"can only read {', '.join(_READERS)}")
     try:
-        points, triangles = reader(path)
+        points, facets = reader(path)
+        if isinstance(facets, list):
+            np.array([id_ for facet in facets for id_ in facet], np.int64)  # whole numbers that it can hold
     except OSError as error:
         raise _unreadable(path, error.strerror or str(error)) from None
     except MeshError:
         raise
     except (Exception, SystemExit) as error:  # meshio ends with many types of exception, and some readers of it exit
         raise _unreadable(path, f"not a valid {path.suffix[1:].upper()} file ({_first_line(error)})") from None
-    # What int32 can't hold is out of range at its limits too: the core names the facets.
-    triangles = np.clip(triangles, np.iinfo(np.int32).min, np.iinfo(np.int32).max)
-    return np.ascontiguousarray(points, np.float64), np.ascontiguousarray(triangles, np.int32)
+    return np.ascontiguousarray(points, np.float64), facets
 
 
 def writable(path):
@@ -71,9 +97,9 @@ def _read_off(path):
     points, facets = int(counts[0]), int(counts[1])
     if points < 0 or facets < 0 or len(lines) < points + facets:
         raise ValueError(f"it ends before its {points} points and {facets} facets")
-    return np.array([line[:3] for line in lines[:points]], float).reshape(-1, 3), _triangles(
-        path, [line[1 : 1 + int(line[0])] for line in lines[points : points + facets]]
-    )
+    return np.array([line[:3] for line in lines[:points]], float).reshape(-1, 3), [
+        [int(id_) for id_ in line[1 : 1 + int(line[0])]] for line in lines[points : points + facets]
+    ]
 
 
 def _read_obj(path):
@@ -87,7 +113,7 @@ def _read_obj(path):
         elif fields[0] == "f":
             ids = [int(field.split("/", 1)[0]) for field in fields[1:]]
             facets.append([id_ - 1 if id_ > 0 else len(points) + id_ for id_ in ids])
-    return np.array(points, float).reshape(-1, 3), _triangles(path, facets)
+    return np.array(points, float).reshape(-1, 3), facets
 
 
 def _read_by_meshio(path):
@@ -105,8 +131,8 @@ def _read_by_meshio(path):
         raise ValueError(f"it holds data that can't be read: {error}") from None
     if len(mesh.cells) == 1 and mesh.cells[0].type == "triangle":
         return mesh.points[:, :3], mesh.cells[0].data
-    facets = [facet for cells in mesh.cells if cells.type not in ("vertex", "line") for facet in cells.data]
-    return mesh.points[:, :3], _triangles(path, facets)
+    facets = [facet for cells in mesh.cells if cells.type not in ("vertex", "line") for facet in np.asarray(cells.data).tolist()]
+    return mesh.points[:, :3], facets
 
 
 def _read_stl(path):
@@ -121,14 +147,6 @@ def _read_stl(path):
     rank = np.empty_like(order)
     rank[order] = np.arange(len(order))
     return corners[first[order]], rank[ids.reshape(-1, 3)]
-
-
-def _triangles(path, facets):
-    for index, facet in enumerate(facets):
-        if len(facet) != 3:
-            raise MeshError(f"{path}: facet {index} has {len(facet)} corners; only triangles can be meshed",
-                            code="unreadable_file", kind="facet", ids=[index])
-    return np.array(facets, np.int64).reshape(-1, 3)
 
 
 def _elements(mesh, second_order):

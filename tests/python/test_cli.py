@@ -44,6 +44,14 @@ class Command(unittest.TestCase):
                 run = self.run_command(surface, self.folder / "square.obj", "--source", source)
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
 
+    def test_repair_splits_facets_with_more_corners_and_tells_it(self):
+        surface = self.folder / "quads.off"
+        surface.write_text("OFF\n6 2 7\n0 0 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n0 1 0\n4 0 1 4 5\n4 1 2 3 4\n")
+        self.assertEqual(self.run_command(surface, self.folder / "out.obj").returncode, 2)
+        run = self.run_command(surface, self.folder / "out.obj", "--repair")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertIn("2 facets with more than three corners", run.stdout)
+
     def test_bad_input_is_one_line_and_exit_code_2(self):
         wing, out = DATA / "wing_delta.off", self.folder / "x.vtu"
         nonsense = self.folder / "nonsense.json"

@@ -10,7 +10,7 @@ import surfaces
 from small_mesh import two_quads
 
 import anisoquad
-from anisoquad.io import read_triangles, write_mesh
+from anisoquad.io import read_and_split, read_triangles, write_mesh
 from anisoquad.second_order import second_order
 
 OFF = "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"
@@ -113,6 +113,17 @@ class Read(Folder):
                 read_triangles(self.file(name, content))
             self.assertEqual(caught.exception.code, "unreadable_file")
             self.assertIn(name, str(caught.exception))
+
+    def test_facets_with_more_corners_are_split_where_asked_for(self):
+        square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
+        with self.assertRaisesRegex(anisoquad.MeshError, "4 corners.*repair") as caught:
+            read_triangles(self.file("a.obj", square))
+        self.assertEqual((caught.exception.kind, caught.exception.ids), ("facet", [0]))
+        points, triangles, split = read_and_split(self.file("a.obj", square))
+        self.assertEqual((points.shape, triangles.shape, triangles.dtype, split), ((4, 3), (2, 3), np.int32, 1))
+        with self.assertRaises(anisoquad.MeshError) as caught:
+            read_and_split(self.file("b.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"))
+        self.assertEqual(caught.exception.code, "unreadable_file")
 
     def test_ids_out_of_range_are_named_by_the_core(self):
         for last in ("7", "-1", "4294967296"):
