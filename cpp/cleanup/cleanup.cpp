@@ -31,8 +31,7 @@ constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
 constexpr double kThorough = 0.8;  ///< share of what a quad lacks to be usable that its repair should make good
-constexpr double kSlim =
-    0.2;  ///< scaled Jacobian of quads for which a few irregular nodes are paid if that makes them much better
+constexpr double kSlim = 0.2;  ///< scaled Jacobian of quads that are worth a few irregular nodes if those make them much better
 constexpr Trial::Demands kRepairAtAPrice{-8, 0.4, 0.1, 6.0};
 constexpr double kFar = 1.2e-3;  ///< distance from the surface, over its diagonal, of quads that are repaired
 constexpr double kBent = 0.9;    ///< cosine of the turn to a neighbour below which quads may be far
@@ -188,22 +187,24 @@ class Cleaner {
         // Once for good, before anything will do.
         Trial::Demands thorough = kRepairAtAnyPrice;
         thorough.deficit = kThorough * (kUnusable - std::max(0.0, quality));
-        if (repair_at_price(f, thorough)) return;
+        if (change_at_any_scale(f, thorough)) return;
         const bool changed = change_round(f, kRepairAtAnyPrice);
         // What was mended may have been a neighbour.
         if (changed && (mesh_.is_deleted(f) || !mesh_.is_quad(f) || scaled_jacobian(mesh_, f) > Trial::kUpright)) return;
         if (!inset(f, kRepairAtAnyPrice)) grow_round(f, kRepairAtAnyPrice);
     }
 
+    /// Almost flat quads that could not be repaired for nothing.
     void repair_at_a_price(Face f) {
         breathe();
         if (!is_repairable(f) || !is_in_reach(f)) return;
         const double quality = scaled_jacobian(mesh_, f);
         if (quality <= kUnusable || quality > kSlim || !is_due(f, repaired_at_a_price_)) return;
-        repair_at_price(f, kRepairAtAPrice);
+        change_at_any_scale(f, kRepairAtAPrice);
     }
 
-    bool repair_at_price(Face f, const Trial::Demands& demands) {
+    /// Local patterns, an inset, then regions, until one of them meets the demands.
+    bool change_at_any_scale(Face f, const Trial::Demands& demands) {
         return change_round(f, demands) || inset(f, demands) || grow_round(f, demands);
     }
 
@@ -211,7 +212,7 @@ class Cleaner {
     void bring_nearer(Face f) {
         breathe();
         if (!is_due(f, brought_nearer_) || !is_far(f)) return;
-        repair_at_price(f, kBringNearer);
+        change_at_any_scale(f, kBringNearer);
     }
 
     bool is_far(Face f) const {
