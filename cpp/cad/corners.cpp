@@ -5,12 +5,15 @@
 #include <limits>
 #include <numeric>
 
+#include "cad/closest_point.h"
+
 namespace anisoquad::cad {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAtVertex = 0.1;   ///< of the shortest edge at a mesh vertex: how far it may be off its CAD vertex
+constexpr double kAtVertex = 0.1;  ///< of the shortest edge at a mesh vertex: how far it may be off its CAD vertex
+constexpr std::size_t kSamples = 32;
 constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -122,14 +125,13 @@ class Finder {
     }
 
     /// For each piece of the shape that of the mesh, -1 where any will do. One that has all its vertices among those of another
-    /// (a pin that fills a hole) fits both pieces of the mesh: of them it takes the one at which fewer CAD vertices are.
+    /// (a pin that fills a hole, the two sides of a cowl) fits both pieces of the mesh: of them it takes the nearest.
     std::vector<std::int32_t> pair_pieces() const {
         const std::int32_t pieces = count_of(shape_piece_);
         std::vector<std::int32_t> mate(at(pieces), -1);
         const std::int32_t mesh_pieces = count_of(mesh_piece_);
         if (pieces <= 1 || mesh_pieces <= 1) return mate;
         std::vector<std::pair<std::int32_t, std::int32_t>> met;  // piece of the shape, of the mesh
-        std::vector<int> at_mesh_piece(at(mesh_pieces), 0);
         std::vector<int> size(at(pieces), 0);
         std::vector<std::int32_t> here;
         for (std::size_t i = 0; i < shape_piece_.size(); ++i) {
@@ -140,29 +142,64 @@ class Finder {
             });
             std::sort(here.begin(), here.end());
             here.erase(std::unique(here.begin(), here.end()), here.end());
-            for (const std::int32_t piece : here) {
-                met.emplace_back(shape_piece_[i], piece);
-                ++at_mesh_piece[at(piece)];
-            }
+            for (const std::int32_t piece : here) met.emplace_back(shape_piece_[i], piece);
         }
         std::sort(met.begin(), met.end());
         std::vector<std::int32_t> order(at(pieces));
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return size[at(a)] > size[at(b)]; });
         std::vector<char> taken(at(mesh_pieces), 0);
+        std::vector<std::int32_t> fitting;
         for (const std::int32_t piece : order) {
+            fitting.clear();
             auto [first, last] = std::equal_range(met.begin(), met.end(), std::pair(piece, 0),
                                                   [](const auto& a, const auto& b) { return a.first < b.first; });
             for (auto next = first; first != last; first = next) {
                 next = std::upper_bound(first, last, *first);
-                const std::int32_t candidate = first->second;
-                if (next - first < size[at(piece)] || taken[at(candidate)]) continue;
-                std::int32_t& mine = mate[at(piece)];
-                if (mine < 0 || at_mesh_piece[at(candidate)] < at_mesh_piece[at(mine)]) mine = candidate;
+                if (next - first == size[at(piece)] && !taken[at(first->second)]) fitting.push_back(first->second);
             }
-            if (mate[at(piece)] >= 0) taken[at(mate[at(piece)])] = 1;
+            if (fitting.empty()) continue;
+            const std::int32_t mine = fitting.size() > 1 ? nearest_piece(piece, fitting) : fitting[0];
+            mate[at(piece)] = mine;
+            taken[at(mine)] = 1;
         }
         return mate;
+    }
+
+    /// The piece of the mesh some of whose vertices are nearest to the faces of the shape's piece.
+    std::int32_t nearest_piece(std::int32_t piece, const std::vector<std::int32_t>& of) const {
+        double best = std::numeric_limits<double>::infinity();
+        std::int32_t found = of[0];
+        for (const std::int32_t candidate : of) {
+            double sum = 0.0;
+            for (const std::int32_t v : samples(candidate)) sum += distance(piece, points_[at(v)]);
+            if (!(sum < best)) continue;
+            best = sum;
+            found = candidate;
+        }
+        return found;
+    }
+
+    /// A few vertices of a piece of the mesh, spread over it.
+    std::vector<std::int32_t> samples(std::int32_t mesh_piece) const {
+        std::vector<std::int32_t> all;
+        for (std::size_t v = 0; v < mesh_piece_.size(); ++v) {
+            if (mesh_piece_[v] == mesh_piece) all.push_back(static_cast<std::int32_t>(v));
+        }
+        const std::size_t step = std::max<std::size_t>(1, all.size() / kSamples);
+        std::vector<std::int32_t> some;
+        for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+        return some;
+    }
+
+    /// Of a point from the faces of a piece of the shape.
+    double distance(std::int32_t piece, const Vector3d& p) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const CadFace& face : shape_.faces()) {
+            if (face.edges.empty() || shape_piece_[at(shape_.edge(face.edges[0]).vertex[0])] != piece) continue;
+            least = std::min(least, closest_on_face(face, p).distance);
+        }
+        return least;
     }
 
     const CadShape& shape_;

@@ -53,7 +53,7 @@ TEST(Corners, OfSolidsThatTouchAreEachOnItsOwnMesh) {
 }
 
 TEST(Corners, OfAPinThatFillsAHoleAreNotThoseOfTheHole) {
-    // The pin's vertices are all among those of the frame round it, which come first or last.
+    // The pin's vertices are all among those of the frame round it, which comes first or last.
     const std::vector<TopoDS_Shape> frame{BRepPrimAPI_MakePrism(
                                               [] {
                                                   const auto square = [](double low, double high) {
