@@ -94,7 +94,8 @@ class CadSurface:
     def __init__(self, shape, points, triangles, join_smooth=False):
         angle = _SMOOTH_ANGLE if join_smooth is True else float(join_smooth)
         self.shape = shape
-        self.core = _core().CadSurface(shape.core, checked_points(points), checked_triangles(triangles), angle)
+        self.triangles = checked_triangles(triangles)
+        self.core = _core().CadSurface(shape.core, checked_points(points), self.triangles, angle)
         self.points = self.core.points
         self.facet_face = self.core.facet_face
         self.feature_edges = self.core.feature_edges()
@@ -102,6 +103,19 @@ class CadSurface:
     def entities(self):
         """For each point what it lies on: "Vertex2", "Edge5" or "Face1"."""
         return [f"{kind.capitalize()}{index + 1}" if index >= 0 else "" for kind, index in self.core.entities]
+
+    def count_folds(self):
+        """Number of edges within the shape's faces at which the triangles face away from each other: a poor tessellation."""
+        triangles = self.triangles
+        a, b, c = (self.points[triangles[:, k]] for k in range(3))
+        normals = np.cross(b - a, c - a)
+        sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        order = np.lexsort(sides.T)
+        sides, facet = sides[order], np.repeat(np.arange(len(triangles)), 3)[order]
+        first = np.flatnonzero((sides[1:] == sides[:-1]).all(axis=1))
+        one, other = facet[first], facet[first + 1]
+        inside = self.facet_face[one] == self.facet_face[other]
+        return int(np.count_nonzero(inside & (np.einsum("ij,ij->i", normals[one], normals[other]) < 0.0)))
 
     def path(self, edges, reverse=False):
         """Point ids along CAD edges that follow each other, closed when the first is also the last.

@@ -38,6 +38,8 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None, surfac
     )
     if surface is not None:
         result.update(surface.entities_of(result))
+        if result["report"]["inverted"] and (folds := surface.count_folds()):
+            result["report"]["warnings"].append(f"the shape's triangles are folded over at {folds} edges; let Gmsh make them")
     return QuadMesh(**result)
 
 

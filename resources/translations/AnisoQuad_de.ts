@@ -744,6 +744,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>in {} davon ändert sich die Größe der Dreiecke zu schnell</translation>
   </message>
   <message>
+   <source>let Gmsh make them</source>
+   <translation>sie von Gmsh bilden lassen</translation>
+  </message>
+  <message>
    <source>something lies inside the row</source>
    <translation>etwas liegt innerhalb der Reihe</translation>
   </message>
@@ -762,6 +766,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
   <message>
    <source>the line at the row's end turns back to it</source>
    <translation>die Linie am Ende der Reihe kehrt zu ihr zurück</translation>
+  </message>
+  <message>
+   <source>the shape's triangles are folded over at {} edges</source>
+   <translation>die Dreiecke der Form sind an {} Kanten umgefaltet</translation>
   </message>
   <message>
    <source>the triangles ahead are too large for the length of the front's edges</source>

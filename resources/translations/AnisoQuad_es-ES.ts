@@ -744,6 +744,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>en {} de ellas el tamaño de los triángulos cambia demasiado rápido</translation>
   </message>
   <message>
+   <source>let Gmsh make them</source>
+   <translation>que los haga Gmsh</translation>
+  </message>
+  <message>
    <source>something lies inside the row</source>
    <translation>hay algo dentro de la fila</translation>
   </message>
@@ -762,6 +766,10 @@ con las fuentes que se le añadieron antes</translation>
   <message>
    <source>the line at the row's end turns back to it</source>
    <translation>la línea al final de la fila vuelve hacia ella</translation>
+  </message>
+  <message>
+   <source>the shape's triangles are folded over at {} edges</source>
+   <translation>los triángulos de la forma están plegados en {} aristas</translation>
   </message>
   <message>
    <source>the triangles ahead are too large for the length of the front's edges</source>

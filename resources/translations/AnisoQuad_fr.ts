@@ -744,6 +744,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>dans {} d’entre elles la taille des triangles change trop vite</translation>
   </message>
   <message>
+   <source>let Gmsh make them</source>
+   <translation>les faire faire par Gmsh</translation>
+  </message>
+  <message>
    <source>something lies inside the row</source>
    <translation>quelque chose se trouve dans la rangée</translation>
   </message>
@@ -762,6 +766,10 @@ avec les sources ajoutées auparavant</translation>
   <message>
    <source>the line at the row's end turns back to it</source>
    <translation>la ligne au bout de la rangée revient vers elle</translation>
+  </message>
+  <message>
+   <source>the shape's triangles are folded over at {} edges</source>
+   <translation>les triangles de la forme sont repliés à {} arêtes</translation>
   </message>
   <message>
    <source>the triangles ahead are too large for the length of the front's edges</source>

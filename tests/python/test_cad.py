@@ -7,6 +7,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from invariants import check
@@ -82,6 +83,28 @@ class Tube(unittest.TestCase):
 
     def without_face(self, face):
         return self.triangles[self.surface.facet_face != face]
+
+    def test_folds_of_the_triangles_are_counted_and_told_where_quads_are_turned_over(self):
+        self.assertEqual(self.surface.count_folds(), 0)
+        # A triangle of the upper cap becomes three round a point beyond one of its edges.
+        cap = np.flatnonzero((self.points[self.triangles][:, :, 2] > 29.0).all(axis=1))
+        a, b, c = self.triangles[cap[0]]
+        beyond = 0.5 * (self.points[a] + self.points[b]) + 1e-2 * (0.5 * (self.points[a] + self.points[b]) - self.points[c])
+        n = len(self.points)
+        triangles = np.concatenate([np.delete(self.triangles, cap[0], axis=0), [[a, b, n], [b, c, n], [c, a, n]]])
+        folded = CadSurface(self.shape, np.concatenate([self.points, [beyond]]), triangles)
+        self.assertIn(folded.count_folds(), (2, 3))  # the third, where the edge lies within the cap
+
+        def turned_over(*arguments):
+            result = core(*arguments)
+            result["report"]["inverted"] = 1
+            return result
+
+        core = anisoquad.meshing._core.quad_mesh
+        with mock.patch.object(anisoquad.meshing._core, "quad_mesh", turned_over):
+            for surface, told in ((self.surface, False), (folded, True)):
+                mesh = anisoquad.quad_mesh(surface.points, surface.triangles, surface=surface)
+                self.assertEqual(any("folded over" in text for text in mesh.report["warnings"]), told)
 
     def test_edges_that_are_not_there(self):
         for edges in ("Edge9", "Face1", "0", ["Edge1", "Edge2", "Edge3"], []):
