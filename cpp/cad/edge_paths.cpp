@@ -13,8 +13,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
-constexpr double kExact = 1e-9;     ///< of the diagonal: of those of double precision
-constexpr double kSmallBow = 0.1;   ///< the same as kBow, between vertices that lie on the curve exactly
 constexpr double kBow = 0.6;        ///< largest distance of the curve from a mesh edge's middle, over the edge's length
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -26,8 +24,7 @@ class Tracer {
           points_(points),
           neighbours_(points.size(), triangles),
           tolerance_(tolerance),
-          least_(kRounding * shape.diagonal()),
-          exact_(kExact * shape.diagonal()) {}
+          least_(kRounding * shape.diagonal()) {}
 
     EdgePaths run() {
         result_.at_vertex = find_corners(shape_, points_, neighbours_);
@@ -58,43 +55,35 @@ class Tracer {
         double parameter = 0.0;
     };
 
-    /// The neighbour that comes first along the curve. Vertices of a tessellation are on the curve to within rounding, of double
-    /// precision or of single; only where none is, those near it count, since a vertex beside the edge of a thin face, or beside
-    /// a nose that turns sharply, is near it too.
+    /// The neighbour that comes first along the curve. Vertices of a tessellation are on the curve to within rounding; only where
+    /// none is, those near it count, since a vertex beside the edge of a thin face is near it too.
     Step next(const CadEdge& edge, const EdgePath& path, std::int32_t last) const {
-        for (const Tolerance& tolerance :
-             {Tolerance{exact_, 0.0, kSmallBow}, Tolerance{least_, 0.0, kBow}, Tolerance{least_, tolerance_, kBow}}) {
-            for (const bool anywhere : {false, true}) {
-                const Step step = next(edge, path, last, tolerance, anywhere);
-                if (step.vertex >= 0) return step;
-            }
-        }
-        return {};
-    }
-
-    struct Tolerance {
-        double least;  ///< distance of a vertex from the curve that passes in any case
-        double share;  ///< the same, over the length of the mesh edge that leads there
-        double bow;    ///< of the curve over the mesh edge, over its length
-    };
-
-    Step next(const CadEdge& edge, const EdgePath& path, std::int32_t last, const Tolerance& tolerance, bool anywhere) const {
         const std::int32_t v = path.vertices.back();
         const double t = path.parameters.back();
-        Step best;
-        for (const std::int32_t w : neighbours_.of(v)) {
-            const double way = (points_[at(w)] - points_[at(v)]).norm();
-            double place = edge.range.high;
-            if (w != last) {
-                const EdgePoint on = anywhere ? closest_on_edge(edge, points_[at(w)])
-                                              : closest_on_edge(edge, points_[at(w)], t + way / std::max(speed(edge, t), 1e-300));
-                if (on.distance > std::max(tolerance.least, tolerance.share * way) || !(on.parameter > t)) continue;
-                place = on.parameter;
+        struct Try {
+            bool anywhere;
+            double tolerance;
+        };
+        for (const auto [anywhere, tolerance] :
+             {Try{false, 0.0}, Try{true, 0.0}, Try{false, tolerance_}, Try{true, tolerance_}}) {
+            Step best;
+            for (const std::int32_t w : neighbours_.of(v)) {
+                const double way = (points_[at(w)] - points_[at(v)]).norm();
+                const double reach = std::max(least_, tolerance * way);
+                double place = edge.range.high;
+                if (w != last) {
+                    const EdgePoint on = anywhere
+                                             ? closest_on_edge(edge, points_[at(w)])
+                                             : closest_on_edge(edge, points_[at(w)], t + way / std::max(speed(edge, t), 1e-300));
+                    if (on.distance > reach || !(on.parameter > t)) continue;
+                    place = on.parameter;
+                }
+                if ((best.vertex >= 0 && !(place < best.parameter)) || !follows(edge, v, w, 0.5 * (t + place), way)) continue;
+                best = {w, place};
             }
-            if (best.vertex >= 0 && !(place < best.parameter)) continue;
-            if (follows(edge, v, w, 0.5 * (t + place), tolerance.bow * way)) best = {w, place};
+            if (best.vertex >= 0) return best;
         }
-        return best;
+        return {};
     }
 
     static double speed(const CadEdge& edge, double t) {
@@ -105,9 +94,9 @@ class Tracer {
     }
 
     /// The curve between two places stays near the mesh edge between them.
-    bool follows(const CadEdge& edge, std::int32_t v, std::int32_t w, double middle, double bow) const {
+    bool follows(const CadEdge& edge, std::int32_t v, std::int32_t w, double middle, double way) const {
         const gp_Pnt p = edge.curve->Value(middle);
-        return (Vector3d(p.X(), p.Y(), p.Z()) - 0.5 * (points_[at(v)] + points_[at(w)])).norm() <= std::max(least_, bow);
+        return (Vector3d(p.X(), p.Y(), p.Z()) - 0.5 * (points_[at(v)] + points_[at(w)])).norm() <= std::max(least_, kBow * way);
     }
 
     const CadShape& shape_;
@@ -115,7 +104,6 @@ class Tracer {
     Neighbours neighbours_;
     double tolerance_;
     double least_;
-    double exact_;
     EdgePaths result_;
 };
 

@@ -52,32 +52,6 @@ TEST(EdgePaths, BearPointsOfSinglePrecision) {
     expect_paths(stadium, triangulate(stadium), 2e-7);
 }
 
-TEST(EdgePaths, KeepToVerticesOnTheCurveWhereOthersAreAlmostOnIt) {
-    // As beside a sharp nose: a vertex nearer to an edge than single precision tells, but not on it.
-    const CadShape box = shapes::box();
-    Triangulation mesh = triangulate(box);
-    const std::int32_t long_edge = shapes::edge_of_length(box, 3.0);
-    const EdgePath before = find_edge_paths(box, mesh.points, mesh.triangles, 0.02).paths[static_cast<std::size_t>(long_edge)];
-    ASSERT_EQ(before.vertices.size(), 2u);
-    const auto added = static_cast<std::int32_t>(mesh.points.size());
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [a, b, c] =
-                std::array{mesh.triangles[f][k], mesh.triangles[f][(k + 1) % 3], mesh.triangles[f][(k + 2) % 3]};
-            if (a != before.vertices[0] || b != before.vertices[1]) continue;
-            const Eigen::Vector3d middle =
-                0.5 * (mesh.points[static_cast<std::size_t>(a)] + mesh.points[static_cast<std::size_t>(b)]);
-            mesh.points.push_back(middle + 1e-6 * (mesh.points[static_cast<std::size_t>(c)] - middle));
-            mesh.triangles[f] = {a, b, added};
-            mesh.triangles.push_back({b, c, added});
-            mesh.triangles.push_back({c, a, added});
-        }
-    }
-    ASSERT_EQ(static_cast<std::int32_t>(mesh.points.size()), added + 1);
-    EXPECT_EQ(find_edge_paths(box, mesh.points, mesh.triangles, 0.02).paths[static_cast<std::size_t>(long_edge)].vertices,
-              before.vertices);
-}
-
 TEST(EdgePaths, AreEmptyWhereTheMeshDoesNotFollow) {
     const CadShape box = shapes::box();
     const Triangulation other = triangulate(shapes::cylinder());
