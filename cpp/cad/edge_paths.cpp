@@ -13,6 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
+constexpr double kExact = 1e-9;     ///< of the diagonal: of vertices of double precision
 constexpr double kBow = 0.6;        ///< largest distance of the curve from a mesh edge's middle, over the edge's length
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -28,12 +29,19 @@ class Tracer {
 
     EdgePaths run() {
         result_.at_vertex = find_corners(shape_, points_, neighbours_);
-        for (const CadEdge& edge : shape_.edges()) result_.paths.push_back(edge.is_degenerated() ? EdgePath{} : trace(edge));
+        for (const CadEdge& edge : shape_.edges()) result_.paths.push_back(edge.is_degenerated() ? EdgePath{} : find(edge));
         return std::move(result_);
     }
 
   private:
-    EdgePath trace(const CadEdge& edge) const {
+    /// Where that leads nowhere, since vertices beside a sharp nose are almost on the edge, only along those that are on it.
+    EdgePath find(const CadEdge& edge) const {
+        const EdgePath path = trace(edge, least_);
+        return path.vertices.empty() ? trace(edge, kExact * shape_.diagonal()) : path;
+    }
+
+    /// @param least distance of a vertex from the curve that passes in any case
+    EdgePath trace(const CadEdge& edge, double least) const {
         const std::int32_t first = result_.at_vertex[at(edge.vertex[0])];
         const std::int32_t last = result_.at_vertex[at(edge.vertex[1])];
         if (first < 0 || last < 0) return {};
@@ -41,7 +49,7 @@ class Tracer {
         if (first == last && !edge.range.closed) return edge.length <= 2.0 * least_ ? path : EdgePath{};
         // Every step goes on along the curve, and to a vertex that was not passed before.
         while (path.vertices.size() <= points_.size()) {
-            const Step step = next(edge, path, last);
+            const Step step = next(edge, path, last, least);
             if (step.vertex < 0) return {};
             path.vertices.push_back(step.vertex);
             path.parameters.push_back(step.parameter);
@@ -57,7 +65,7 @@ class Tracer {
 
     /// The neighbour that comes first along the curve. Vertices of a tessellation are on the curve to within rounding; only where
     /// none is, those near it count, since a vertex beside the edge of a thin face is near it too.
-    Step next(const CadEdge& edge, const EdgePath& path, std::int32_t last) const {
+    Step next(const CadEdge& edge, const EdgePath& path, std::int32_t last, double least) const {
         const std::int32_t v = path.vertices.back();
         const double t = path.parameters.back();
         struct Try {
@@ -69,7 +77,7 @@ class Tracer {
             Step best;
             for (const std::int32_t w : neighbours_.of(v)) {
                 const double way = (points_[at(w)] - points_[at(v)]).norm();
-                const double reach = std::max(least_, tolerance * way);
+                const double reach = std::max(least, tolerance * way);
                 double place = edge.range.high;
                 if (w != last) {
                     const EdgePoint on = anywhere

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFar = 0.5;    ///< of the triangle's longest edge: so far off its face a start was wrong
+constexpr double kFar = 0.2;    ///< of the triangle's longest edge: so far off its face a start was wrong
 constexpr double kPole = 1e-7;  ///< of the shape's diagonal, for the way that the whole range of a parameter makes there
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }

@@ -52,6 +52,37 @@ TEST(EdgePaths, BearPointsOfSinglePrecision) {
     expect_paths(stadium, triangulate(stadium), 2e-7);
 }
 
+TEST(EdgePaths, PassVerticesThatAreAlmostOnTheCurveButLeadNowhere) {
+    // As beside a sharp nose: a vertex nearer to an edge than single precision tells, from which the edge does not go on.
+    const CadShape box = shapes::box();
+    Triangulation mesh = triangulate(box);
+    const auto edge = static_cast<std::size_t>(shapes::edge_of_length(box, 3.0));
+    const std::vector<std::int32_t> ends = find_edge_paths(box, mesh.points, mesh.triangles, 0.02).paths[edge].vertices;
+    ASSERT_EQ(ends.size(), 2u);
+    const auto at = [&](std::int32_t v) { return mesh.points[static_cast<std::size_t>(v)]; };
+    const auto beside = static_cast<std::int32_t>(mesh.points.size());
+    const std::int32_t inside = beside + 1;
+    for (std::size_t f = 0; f < mesh.triangles.size() && mesh.points.size() == static_cast<std::size_t>(beside); ++f) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t a = mesh.triangles[f][k];
+            const std::int32_t b = mesh.triangles[f][(k + 1) % 3];
+            const std::int32_t c = mesh.triangles[f][(k + 2) % 3];
+            if (std::min(a, b) != std::min(ends[0], ends[1]) || std::max(a, b) != std::max(ends[0], ends[1])) continue;
+            const Eigen::Vector3d along = at(ends[1]) - at(ends[0]);
+            mesh.points.push_back(at(ends[0]) + 0.3 * along + 1e-6 * (at(c) - at(a)));
+            mesh.points.push_back((at(a) + at(b) + at(c)) / 3.0);
+            mesh.triangles[f] = {a, b, inside};
+            mesh.triangles.push_back({b, c, inside});
+            mesh.triangles.push_back({ends[0], inside, beside});
+            mesh.triangles.push_back({inside, c, beside});
+            mesh.triangles.push_back({c, ends[0], beside});
+            break;
+        }
+    }
+    ASSERT_EQ(mesh.points.size(), static_cast<std::size_t>(beside) + 2);
+    EXPECT_EQ(find_edge_paths(box, mesh.points, mesh.triangles, 0.02).paths[edge].vertices, ends);
+}
+
 TEST(EdgePaths, AreEmptyWhereTheMeshDoesNotFollow) {
     const CadShape box = shapes::box();
     const Triangulation other = triangulate(shapes::cylinder());
