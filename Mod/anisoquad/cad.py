@@ -106,12 +106,11 @@ class CadSurface:
 
     def count_folds(self):
         """Number of edges within the shape's faces at which the triangles face away from each other: a poor tessellation."""
-        triangles = self.triangles
-        a, b, c = (self.points[triangles[:, k]] for k in range(3))
+        a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
         normals = np.cross(b - a, c - a)
-        sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        sides = np.sort(self.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
         order = np.lexsort(sides.T)
-        sides, facet = sides[order], np.repeat(np.arange(len(triangles)), 3)[order]
+        sides, facet = sides[order], np.repeat(np.arange(len(self.triangles)), 3)[order]
         first = np.flatnonzero((sides[1:] == sides[:-1]).all(axis=1))
         one, other = facet[first], facet[first + 1]
         inside = self.facet_face[one] == self.facet_face[other]

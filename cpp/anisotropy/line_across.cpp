@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "anisotropy/raise_sizes.h"
 #include "mesh/euler_operators.h"
+#include "prepare/remesh.h"
 
 namespace anisoquad {
 namespace {
@@ -15,7 +17,9 @@ using Eigen::Vector3d;
 constexpr double kThin = 0.6;      // width of the strip over the length of the source's edges
 constexpr std::size_t kMost = 64;  // edges of the line that become one
 constexpr double kDetour = 1.1;    // length of the line over that of the edge that stands for it
-constexpr double kUpright = 0.2;   // least cosine of a triangle's turn by a collapse
+constexpr int kRounds = 4;
+constexpr double kDeviation = 1e-3;  // off the surface, over its diagonal, of the triangles behind
+constexpr double kUpright = 0.2;     // least cosine of a triangle's turn by a collapse
 
 bool is_triangle_side(const SurfaceMesh& mesh, HalfEdge h) { return !mesh.is_boundary(h) && mesh.is_triangle(mesh.face(h)); }
 
@@ -128,6 +132,36 @@ ThinnedLine thin_line_across(SurfaceMesh& mesh, std::span<const Vertex> nodes, d
         }
     }
     return result;
+}
+
+void thin_lines_across(SurfaceMesh& mesh, std::vector<std::vector<Vertex>> sources, double sagitta,
+                       const ReferenceSurface& reference, const Context& context) {
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<double> length;
+        ThinnedLine all;
+        for (std::vector<Vertex>& nodes : sources) {
+            for (int side = 0; side < 2; ++side, std::reverse(nodes.begin(), nodes.end())) {
+                const ThinnedLine one = thin_line_across(mesh, nodes, sagitta, length);
+                all.merged += one.merged;
+                all.failed += one.failed;
+            }
+        }
+        if (all.merged == 0) return;
+        if (all.failed > 0) {
+            std::vector<char> zone = raise_sizes(mesh, length);
+            remesh_triangles(mesh, zone, reference, {.deviation = kDeviation, .context = &context});
+            continue;
+        }
+        std::vector<char> zone(static_cast<std::size_t>(mesh.vertex_slots()), 0);
+        for (std::size_t i = 0; i < length.size(); ++i) {
+            if (!(length[i] > 0.0)) continue;
+            zone[i] = 1;
+            for (const HalfEdge h : mesh.outgoing(Vertex(static_cast<std::int32_t>(i))))
+                zone[static_cast<std::size_t>(mesh.to(h).index())] = 1;
+        }
+        swap_towards_delaunay(mesh, zone, reference, {.deviation = kDeviation});
+        return;
+    }
 }
 
 }  // namespace anisoquad

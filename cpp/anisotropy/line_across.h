@@ -3,7 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "context.h"
 #include "mesh/surface_mesh.h"
+#include "surface/reference_surface.h"
 
 namespace anisoquad {
 
@@ -19,5 +21,11 @@ struct ThinnedLine {
 /// @param sagitta how far the line's nodes that vanish may lie off its new edges
 /// @param length per vertex, receives that of the edges for the nodes at their ends
 ThinnedLine thin_line_across(SurfaceMesh& mesh, std::span<const Vertex> nodes, double sagitta, std::vector<double>& length);
+
+/// The same on both sides of all sources, whatever lies across; where triangles behind a line are in the way, in turn with these.
+/// @param sources nodes of each
+/// @throws Error{cancelled}
+void thin_lines_across(SurfaceMesh& mesh, std::vector<std::vector<Vertex>> sources, double sagitta,
+                       const ReferenceSurface& reference, const Context& context = no_context());
 
 }  // namespace anisoquad

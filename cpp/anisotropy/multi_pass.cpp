@@ -8,7 +8,6 @@
 #include "anisotropy/geodesic_trace.h"
 #include "anisotropy/line_across.h"
 #include "anisotropy/merge.h"
-#include "anisotropy/raise_sizes.h"
 #include "anisotropy/rows.h"
 #include "anisotropy/segmentation.h"
 #include "anisotropy/source_sides.h"
@@ -35,7 +34,6 @@ constexpr double kClosedAspect = 1.6;     // width over height of the uppermost 
 constexpr double kFreeAhead = 1.0;        // free way ahead of the rows over the length of a merged edge
 constexpr double kColumnAtEnd = 1.0;      // least width of the merged end columns over the height of the uppermost row
 constexpr double kEvenDeviation = 1e-3;   // off the surface, over its diagonal, by swaps where a side has no rows
-constexpr int kThinningRounds = 4;
 constexpr std::size_t kFewRows = 3;       // of a pass (one is given back), before which a stack is split where columns do not fit
 constexpr int kLeastSegments = 4;         // merged edges that a part of a split stack has room for
 constexpr double kSagitta = 0.25;         // of a merged edge over the height of the first row
@@ -84,7 +82,9 @@ class MultiPass {
             context_.report(static_cast<double>(p) / static_cast<double>(pass_count_));
             run_pass(p);
         }
-        thin_lines_across();
+        std::vector<std::vector<Vertex>> merged;
+        for (const Line& line : lines_) merged.push_back(line.nodes);
+        thin_lines_across(mesh_, std::move(merged), kFeatureSagitta * reference_.diagonal(), reference_, context_);
         return std::move(result_);
     }
 
@@ -142,38 +142,6 @@ class MultiPass {
                     context_.report(static_cast<double>(p) / static_cast<double>(pass_count_));
                 } while (!stacks_[i].is_running && split(i, pass));
             }
-        }
-    }
-
-    /// Lines across strips that are too thin for rows follow the sources' edges; where triangles behind them are in the way, in
-    /// turn with these.
-    void thin_lines_across() {
-        for (int round = 0; round < kThinningRounds; ++round) {
-            std::vector<double> length;
-            ThinnedLine all;
-            for (const Line& line : lines_) {
-                std::vector<Vertex> nodes = line.nodes;
-                for (int side = 0; side < 2; ++side, std::reverse(nodes.begin(), nodes.end())) {
-                    const ThinnedLine one = thin_line_across(mesh_, nodes, kFeatureSagitta * reference_.diagonal(), length);
-                    all.merged += one.merged;
-                    all.failed += one.failed;
-                }
-            }
-            if (all.merged == 0) return;
-            if (all.failed > 0) {
-                std::vector<char> zone = raise_sizes(mesh_, length);
-                remesh_triangles(mesh_, zone, reference_, {.deviation = kEvenDeviation, .context = &context_});
-                continue;
-            }
-            std::vector<char> zone(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
-            for (std::size_t i = 0; i < length.size(); ++i) {
-                if (!(length[i] > 0.0)) continue;
-                for (const HalfEdge h : mesh_.outgoing(Vertex(static_cast<std::int32_t>(i))))
-                    zone[static_cast<std::size_t>(mesh_.from(h).index())] = zone[static_cast<std::size_t>(mesh_.to(h).index())] =
-                        1;
-            }
-            swap_towards_delaunay(mesh_, zone, reference_, {.deviation = kEvenDeviation});
-            return;
         }
     }
 
