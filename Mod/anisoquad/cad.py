@@ -49,6 +49,7 @@ class CadShape:
         self.core = core
         self.name, self.diagonal = core.name, core.diagonal
         self.face_count, self.edge_count = core.face_count, core.edge_count
+        self.made = None
 
     @classmethod
     def from_file(cls, path, check=True):
@@ -70,7 +71,8 @@ class CadShape:
         angle      -- degrees between neighbours along a curve or surface
         Raises MeshError ("face_not_meshable") with the faces on which there are none.
         """
-        return self.core.triangulate(deflection, angle)
+        self.made = self.core.triangulate(deflection, angle)
+        return self.made.points, self.made.triangles
 
     def tangent_chain(self, edge, angle=_CHAIN_ANGLE):
         """Names of the edges that go on from an edge tangentially, in order, e.g. ["Edge7", "Edge3"].
@@ -84,7 +86,7 @@ class CadSurface:
     """A shape linked to a triangulation of it: the surface onto which quad_mesh() puts its nodes.
 
     shape, points, triangles -- what belongs together; points of single precision, or off the shape by less than an edge's bow,
-                                will do
+                                will do. What the shape's last triangulate() gave needs no search for its faces and edges
     join_smooth -- faces that go on into each other smoothly are one patch; True, or the degrees that their normals may differ
     self.points -- the points again, each put onto the shape
     Raises MeshError: "shape_mismatch" with the vertices or CAD edges where they do not belong together, "face_not_meshable" with the
@@ -95,7 +97,7 @@ class CadSurface:
         angle = _SMOOTH_ANGLE if join_smooth is True else float(join_smooth)
         self.shape = shape
         self.triangles = checked_triangles(triangles)
-        self.core = _core().CadSurface(shape.core, checked_points(points), self.triangles, angle)
+        self.core = _core().CadSurface(shape.core, checked_points(points), self.triangles, angle, shape.made)
         self.points = self.core.points
         self.facet_face = self.core.facet_face
         self.feature_edges = self.core.feature_edges()

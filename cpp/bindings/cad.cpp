@@ -31,11 +31,13 @@ ShapePointer make_shape(TopoDS_Shape read, const std::string& name, bool check) 
 }
 
 std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const PointArray& points, const TriangleArray& triangles,
-                                           double smooth_angle) {
+                                           double smooth_angle, const Triangulation* made) {
     const auto points_of = point_span(points);
     const auto triangles_of = triangle_span(triangles);
     const py::gil_scoped_release without_gil;
-    auto linked = std::make_shared<const MeshLink>(link_mesh(*shape, points_of, triangles_of));
+    auto linked = std::make_shared<const MeshLink>(made && is_same(*made, points_of, triangles_of, shape->diagonal())
+                                                       ? link_mesh(*shape, points_of, triangles_of, made->origin)
+                                                       : link_mesh(*shape, points_of, triangles_of));
     const std::vector<char> joined = smooth_angle > 0.0 ? smooth_edges(*shape, smooth_angle) : std::vector<char>();
     return std::make_shared<CadSurface>(shape, std::move(linked), triangles_of, joined);
 }
@@ -94,12 +96,8 @@ PYBIND11_MODULE(_cad, module) {
         .def(
             "triangulate",
             [](const CadShape& shape, double deflection, double angle) {
-                Triangulation t;
-                {
-                    const py::gil_scoped_release without_gil;
-                    t = triangulate(shape, {deflection, angle});
-                }
-                return py::make_tuple(to_array(std::move(t.points)), to_array(std::move(t.triangles)));
+                const py::gil_scoped_release without_gil;
+                return std::make_shared<Triangulation>(triangulate(shape, {deflection, angle}));
             },
             py::arg("deflection"), py::arg("angle"))
         .def(
@@ -111,9 +109,13 @@ PYBIND11_MODULE(_cad, module) {
             },
             py::arg("edge"), py::arg("angle"));
 
+    py::class_<Triangulation, std::shared_ptr<Triangulation>>(module, "Triangulation")
+        .def_property_readonly("points", [](const Triangulation& t) { return to_array(std::vector(t.points)); })
+        .def_property_readonly("triangles", [](const Triangulation& t) { return to_array(std::vector(t.triangles)); });
+
     py::class_<CadSurface, TargetSurface, std::shared_ptr<CadSurface>>(module, "CadSurface")
         .def(py::init(&linked_surface), py::arg("shape"), py::arg("points").noconvert(), py::arg("triangles").noconvert(),
-             py::arg("smooth_angle"))
+             py::arg("smooth_angle"), py::arg("made"))
         .def_property_readonly("points",
                                [](const CadSurface& s) { return to_array(std::vector<Eigen::Vector3d>(s.link().points)); })
         .def_property_readonly("facet_face",

@@ -2,11 +2,13 @@
 
 #include <Eigen/LU>
 #include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "cad/face_samples.h"
 #include "cad/to_eigen.h"
 
 namespace anisoquad::cad {
@@ -21,9 +23,9 @@ constexpr int kHalvings = 12;
 constexpr double kNoWorse = 1.0 + 1e-13;  ///< squared distances do not tell the last steps apart
 constexpr double kStepAtRest = 1e-12;     ///< over the distance of the point from the origin, and the size of what it is on
 constexpr double kFlat = 1e-12;           ///< of a length of a derivative over the larger one: a pole
-constexpr int kStarts = 3;                ///< of the grid's points, tried in the order of their distance
-constexpr int kSamples = 24;              ///< a direction, at the least
-constexpr int kSamplesPerSpan = 4;
+constexpr int kStarts = 3;                ///< of the samples, tried in the order of their distance
+constexpr int kSamples = 48;              ///< of an edge, at the least
+constexpr int kSamplesPerSpan = 8;
 
 struct Derivatives {
     Vector3d r, u, v, uu, uv, vv;  ///< r: from the point to the surface
@@ -109,13 +111,6 @@ FacePoint descend(const CadFace& face, const Vector3d& p, const Vector2d& start)
     return result;
 }
 
-int samples(int spans) { return std::max(kSamples, kSamplesPerSpan * spans); }
-
-struct Sample {
-    double squared;
-    Vector2d x;
-};
-
 }  // namespace
 
 FacePoint closest_on_face(const CadFace& face, const Vector3d& p, const Vector2d& start) {
@@ -132,26 +127,20 @@ FacePoint closest_on_face(const CadFace& face, const Vector3d& p, const Vector2d
 }
 
 FacePoint closest_on_face(const CadFace& face, const Vector3d& p) {
-    int spans[2] = {1, 1};
-    if (const Handle(Geom_BSplineSurface) spline = Handle(Geom_BSplineSurface)::DownCast(face.surface); !spline.IsNull()) {
-        spans[0] = spline->NbUKnots() - 1;
-        spans[1] = spline->NbVKnots() - 1;
+    const FaceSamples& samples = samples_of(face);
+    std::array<std::pair<double, std::size_t>, kStarts> nearest;
+    nearest.fill({std::numeric_limits<double>::infinity(), 0});
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        const double squared = (samples.points[i] - p).squaredNorm();
+        if (!(squared < nearest.back().first)) continue;
+        std::size_t k = nearest.size() - 1;
+        for (; k > 0 && squared < nearest[k - 1].first; --k) nearest[k] = nearest[k - 1];
+        nearest[k] = {squared, i};
     }
-    const int n[2] = {samples(spans[0]), samples(spans[1])};
-    std::vector<Sample> grid;
-    for (int i = 0; i <= n[0]; ++i) {
-        for (int k = 0; k <= n[1]; ++k) {
-            const Vector2d x(face.range[0].low + (face.range[0].high - face.range[0].low) * i / n[0],
-                             face.range[1].low + (face.range[1].high - face.range[1].low) * k / n[1]);
-            grid.push_back({(value(face, x) - p).squaredNorm(), x});
-        }
-    }
-    const auto last = grid.begin() + std::min<std::ptrdiff_t>(kStarts, static_cast<std::ptrdiff_t>(grid.size()));
-    std::partial_sort(grid.begin(), last, grid.end(), [](const Sample& a, const Sample& b) { return a.squared < b.squared; });
     FacePoint best;
     best.distance = std::numeric_limits<double>::infinity();
-    for (auto s = grid.begin(); s != last; ++s) {
-        const FacePoint found = closest_on_face(face, p, s->x);
+    for (const auto& [squared, i] : nearest) {
+        const FacePoint found = closest_on_face(face, p, samples.parameters[i]);
         if (found.distance < best.distance) best = found;
     }
     return best;
@@ -207,18 +196,17 @@ EdgePoint closest_on_edge(const CadEdge& edge, const Vector3d& p) {
     int spans = 1;
     if (const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve); !spline.IsNull())
         spans = spline->NbKnots() - 1;
-    const int n = 2 * samples(spans);
-    std::vector<Sample> row;
+    const int n = std::max(kSamples, kSamplesPerSpan * spans);
+    std::vector<std::pair<double, double>> row;  // squared distance, parameter
     for (int i = 0; i <= n; ++i) {
         const double t = edge.range.low + (edge.range.high - edge.range.low) * i / n;
-        row.push_back({(to_eigen(edge.curve->Value(t)) - p).squaredNorm(), {t, 0.0}});
+        row.push_back({(to_eigen(edge.curve->Value(t)) - p).squaredNorm(), t});
     }
-    std::partial_sort(row.begin(), row.begin() + kStarts, row.end(),
-                      [](const Sample& a, const Sample& b) { return a.squared < b.squared; });
+    std::partial_sort(row.begin(), row.begin() + kStarts, row.end());
     EdgePoint best;
     best.distance = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kStarts; ++i) {
-        const EdgePoint found = closest_on_edge(edge, p, row[static_cast<std::size_t>(i)].x[0]);
+        const EdgePoint found = closest_on_edge(edge, p, row[static_cast<std::size_t>(i)].second);
         if (found.distance < best.distance) best = found;
     }
     return best;

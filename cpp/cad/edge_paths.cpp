@@ -27,13 +27,33 @@ class Tracer {
           tolerance_(tolerance),
           least_(kRounding * shape.diagonal()) {}
 
-    EdgePaths run() {
+    EdgePaths run(std::span<const EdgePath> known) {
+        result_.paths.resize(shape_.edges().size());
         result_.at_vertex = find_corners(shape_, points_, neighbours_);
-        for (const CadEdge& edge : shape_.edges()) result_.paths.push_back(edge.is_degenerated() ? EdgePath{} : find(edge));
+        std::vector<char> is_known(shape_.edges().size(), 0);
+        for (std::size_t e = 0; e < known.size(); ++e) {
+            is_known[e] = shape_.edges()[e].is_degenerated() || along_edges(known[e].vertices);
+            if (!is_known[e] || known[e].vertices.empty()) continue;
+            result_.paths[e] = known[e];
+            result_.at_vertex[at(shape_.edges()[e].vertex[0])] = known[e].vertices.front();
+            result_.at_vertex[at(shape_.edges()[e].vertex[1])] = known[e].vertices.back();
+        }
+        for (std::size_t e = 0; e < shape_.edges().size(); ++e) {
+            const CadEdge& edge = shape_.edges()[e];
+            if (!is_known[e] && !edge.is_degenerated()) result_.paths[e] = find(edge);
+        }
         return std::move(result_);
     }
 
   private:
+    bool along_edges(const std::vector<std::int32_t>& path) const {
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const auto next = neighbours_.of(path[i - 1]);
+            if (!std::binary_search(next.begin(), next.end(), path[i])) return false;
+        }
+        return !path.empty();
+    }
+
     /// Where that leads nowhere, since vertices beside a sharp nose are almost on the edge, only along those that are on it.
     EdgePath find(const CadEdge& edge) const {
         const EdgePath path = trace(edge, least_);
@@ -135,8 +155,9 @@ Neighbours::Neighbours(std::size_t vertices, Triangles triangles) : first_(verti
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-EdgePaths find_edge_paths(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, double tolerance) {
-    return Tracer(shape, points, triangles, tolerance).run();
+EdgePaths find_edge_paths(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, double tolerance,
+                          std::span<const EdgePath> known) {
+    return Tracer(shape, points, triangles, tolerance).run(known);
 }
 
 }  // namespace anisoquad::cad

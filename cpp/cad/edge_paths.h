@@ -39,6 +39,8 @@ struct EdgePaths {
 
 /// Follows the shape's edges over the mesh: from the mesh vertex at an edge's begin always to the next neighbour along the curve.
 /// @param tolerance of a vertex off the curve, over the length of the mesh edge that leads to it
-EdgePaths find_edge_paths(const CadShape& shape, std::span<const Eigen::Vector3d> points, Triangles triangles, double tolerance);
+/// @param known paths per CAD edge that need not be found, where they are along mesh edges; empty: of none
+EdgePaths find_edge_paths(const CadShape& shape, std::span<const Eigen::Vector3d> points, Triangles triangles, double tolerance,
+                          std::span<const EdgePath> known = {});
 
 }  // namespace anisoquad::cad

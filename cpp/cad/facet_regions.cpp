@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "cad/closest_point.h"
 #include "errors.h"
@@ -20,16 +21,21 @@ constexpr double kAgainst = 1e6;     ///< a face whose normal is against the tri
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+/// Of a triangle, from vertex to vertex.
+using Side = std::array<std::int32_t, 2>;
+
 class Regions {
   public:
     Regions(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles,
-            std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path, std::span<const EdgePath> paths)
+            std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path, std::span<const EdgePath> paths,
+            std::span<const std::int32_t> known)
         : shape_(shape),
           points_(points),
           triangles_(triangles),
           neighbours_(neighbours),
           on_path_(on_path),
           paths_(paths),
+          known_(known),
           face_(triangles.size(), -1) {}
 
     std::vector<std::int32_t> run() {
@@ -43,14 +49,13 @@ class Regions {
   private:
     void fill(std::int32_t seed) {
         std::vector<std::int32_t> region{seed};
-        std::vector<std::int32_t> border;
+        std::vector<Side> border;
         face_[at(seed)] = kVisited;
         for (std::size_t i = 0; i < region.size(); ++i) {
             const auto& t = triangles_[at(region[i])];
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::int32_t edge = on_path_.find(t[k], t[(k + 1) % 3]).edge;
-                if (edge >= 0 && shape_.edge(edge).is_border()) {
-                    border.push_back(edge);
+                if (is_border(t[k], t[(k + 1) % 3])) {
+                    border.push_back({t[k], t[(k + 1) % 3]});
                     continue;
                 }
                 const std::int32_t across = neighbours_[at(region[i])][k];
@@ -59,19 +64,47 @@ class Regions {
                 region.push_back(across);
             }
         }
-        std::sort(border.begin(), border.end());
-        border.erase(std::unique(border.begin(), border.end()), border.end());
-        const std::int32_t face = choose(candidates(border), region, border);
+        const std::int32_t known = known_face(region);
+        const std::int32_t face = known >= 0 ? known : choose(candidates(border), region, border);
         for (const std::int32_t f : region) face_[at(f)] = face;
     }
 
-    /// Faces that have all these edges; of a region without any, the faces that have no border in the mesh.
-    std::vector<std::int32_t> candidates(const std::vector<std::int32_t>& border) const {
+    bool is_border(std::int32_t a, std::int32_t b) const {
+        const std::int32_t edge = on_path_.find(a, b).edge;
+        return edge >= 0 && shape_.edge(edge).is_border();
+    }
+
+    /// That of most triangles of the region of which it is known; -1 if it is of none.
+    std::int32_t known_face(const std::vector<std::int32_t>& region) const {
+        std::map<std::int32_t, int> votes;
+        for (const std::int32_t f : region) {
+            if (!known_.empty() && known_[at(f)] >= 0) ++votes[known_[at(f)]];
+        }
+        std::int32_t most = -1;
+        for (const auto& [face, count] : votes) {
+            if (most < 0 || count > votes[most]) most = face;
+        }
+        return most;
+    }
+
+    /// Faces that have an edge at each of these sides; of a region without any, the faces that have no border in the mesh.
+    std::vector<std::int32_t> candidates(const std::vector<Side>& border) const {
         std::vector<std::int32_t> found;
         if (!border.empty()) {
-            for (const std::int32_t face : shape_.edge(border[0]).faces) {
-                const auto& own = shape_.face(face).edges;
-                if (std::includes(own.begin(), own.end(), border.begin(), border.end())) found.push_back(face);
+            std::map<std::int32_t, std::size_t> sides;  // of each face
+            std::vector<std::int32_t> here;
+            for (const auto& [a, b] : border) {
+                here.clear();
+                on_path_.for_each(a, b, [&](std::int32_t edge) {
+                    const auto& faces = shape_.edge(edge).faces;
+                    here.insert(here.end(), faces.begin(), faces.end());
+                });
+                std::sort(here.begin(), here.end());
+                here.erase(std::unique(here.begin(), here.end()), here.end());
+                for (const std::int32_t face : here) ++sides[face];
+            }
+            for (const auto& [face, count] : sides) {
+                if (count == border.size()) found.push_back(face);
             }
             return found;
         }
@@ -85,11 +118,11 @@ class Regions {
     }
 
     std::int32_t choose(const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& region,
-                        const std::vector<std::int32_t>& border) const {
+                        const std::vector<Side>& border) const {
         if (faces.empty()) {
             throw Error(ErrorCode::shape_mismatch,
                         shape_.name() + " has no face between " +
-                            (border.empty() ? std::string("no edges") : CadShape::names("Edge", border)) +
+                            (border.empty() ? std::string("no edges") : CadShape::names("Edge", edges_of(border))) +
                             ", where the mesh has triangles: they do not belong together.",
                         ElementKind::facet, region);
         }
@@ -107,6 +140,14 @@ class Regions {
             chosen = face;
         }
         return chosen;
+    }
+
+    std::vector<std::int32_t> edges_of(const std::vector<Side>& border) const {
+        std::vector<std::int32_t> edges;
+        for (const auto& [a, b] : border) edges.push_back(on_path_.find(a, b).edge);
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        return edges;
     }
 
     std::int32_t largest(const std::vector<std::int32_t>& region) const {
@@ -148,6 +189,7 @@ class Regions {
     std::span<const std::array<std::int32_t, 3>> neighbours_;
     const PathEdges& on_path_;
     std::span<const EdgePath> paths_;
+    std::span<const std::int32_t> known_;
     std::vector<std::int32_t> face_;
 };
 
@@ -170,13 +212,19 @@ PathEdges::PathEdges(std::span<const EdgePath> paths) {
               [](const Entry& a, const Entry& b) { return std::tie(a.low, a.high, a.edge) < std::tie(b.low, b.high, b.edge); });
 }
 
-PathEdges::Side PathEdges::find(std::int32_t a, std::int32_t b) const {
-    const auto [low, high] = std::minmax(a, b);
+std::size_t PathEdges::first(std::int32_t a, std::int32_t b) const {
     const auto found = std::lower_bound(
-        entries_.begin(), entries_.end(), std::pair(low, high),
+        entries_.begin(), entries_.end(), std::pair(std::min(a, b), std::max(a, b)),
         [](const Entry& e, const std::pair<std::int32_t, std::int32_t>& key) { return std::pair(e.low, e.high) < key; });
-    if (found == entries_.end() || found->low != low || found->high != high) return {};
-    return a == low ? Side{found->edge, {found->at_low, found->at_high}} : Side{found->edge, {found->at_high, found->at_low}};
+    return static_cast<std::size_t>(found - entries_.begin());
+}
+
+PathEdges::Side PathEdges::find(std::int32_t a, std::int32_t b) const {
+    const std::size_t i = first(a, b);
+    if (i == entries_.size() || !entries_[i].joins(a, b)) return {};
+    const Entry* const found = &entries_[i];
+    return a == found->low ? Side{found->edge, {found->at_low, found->at_high}}
+                           : Side{found->edge, {found->at_high, found->at_low}};
 }
 
 std::vector<std::array<std::int32_t, 3>> facet_neighbours(Triangles triangles) {
@@ -206,8 +254,8 @@ std::vector<std::array<std::int32_t, 3>> facet_neighbours(Triangles triangles) {
 
 std::vector<std::int32_t> find_facet_faces(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles,
                                            std::span<const std::array<std::int32_t, 3>> neighbours, const PathEdges& on_path,
-                                           std::span<const EdgePath> paths) {
-    return Regions(shape, points, triangles, neighbours, on_path, paths).run();
+                                           std::span<const EdgePath> paths, std::span<const std::int32_t> known) {
+    return Regions(shape, points, triangles, neighbours, on_path, paths, known).run();
 }
 
 }  // namespace anisoquad::cad

@@ -76,16 +76,17 @@ void check_distances(const CadShape& shape, std::span<const Vector3d> points, Tr
 
 }  // namespace
 
-MeshLink link_mesh(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, const LinkOptions& options) {
+MeshLink link_mesh(const CadShape& shape, std::span<const Vector3d> points, Triangles triangles, const TriangleOrigin& known,
+                   const LinkOptions& options) {
     check_triangles(points, triangles);
-    EdgePaths traced = find_edge_paths(shape, points, triangles, options.on_edge);
+    EdgePaths traced = find_edge_paths(shape, points, triangles, options.on_edge, known.paths);
     check_paths(shape, traced.paths);
     const PathEdges on_path(traced.paths);
     const auto neighbours = facet_neighbours(triangles);
     check_boundary(shape, triangles, neighbours, on_path);
 
     MeshLink link;
-    link.facet_face = find_facet_faces(shape, points, triangles, neighbours, on_path, traced.paths);
+    link.facet_face = find_facet_faces(shape, points, triangles, neighbours, on_path, traced.paths, known.facet_face);
     FacetParameters parameters = find_facet_parameters(shape, points, triangles, neighbours, on_path, link.facet_face);
     check_distances(shape, points, triangles, parameters.distance, options.on_face);
     link.facet_parameter = std::move(parameters.corner);

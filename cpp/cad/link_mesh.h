@@ -7,6 +7,7 @@
 
 #include "cad/edge_paths.h"
 #include "cad/shape.h"
+#include "cad/triangle_origin.h"
 
 namespace anisoquad::cad {
 
@@ -34,10 +35,11 @@ struct LinkOptions {
 
 /// Finds what each vertex and triangle of a triangulation of a shape lies on: CAD edges are followed over the mesh, the triangles
 /// between them belong to the face that those edges bound, and parameters are found by walking from triangle to triangle.
+/// @param known what of it needs no search
 /// @throws Error of check_input(); Error{shape_mismatch} with the vertices that are off the shape, or the CAD edges that the mesh
 /// does not follow;
 ///         Error{face_not_meshable} with CAD faces on which the mesh has no triangle
 MeshLink link_mesh(const CadShape& shape, std::span<const Eigen::Vector3d> points, Triangles triangles,
-                   const LinkOptions& options = {});
+                   const TriangleOrigin& known = {}, const LinkOptions& options = {});
 
 }  // namespace anisoquad::cad

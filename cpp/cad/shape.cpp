@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cad/face_samples.h"
 #include "cad/to_eigen.h"
 #include "errors.h"
 
@@ -27,6 +28,7 @@ CadFace read_face(const TopoDS_Face& face) {
     CadFace f;
     f.face = face;
     f.surface = BRep_Tool::Surface(face);
+    f.samples = std::make_shared<FaceSamples>();
     f.reversed = face.Orientation() == TopAbs_REVERSED;
     if (f.surface.IsNull()) return f;
     BRepTools::UVBounds(face, f.range[0].low, f.range[0].high, f.range[1].low, f.range[1].high);

@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,12 +24,15 @@ struct Range {
     bool periodic = false;  ///< closed, and parameters beyond the ends are taken round
 };
 
+struct FaceSamples;
+
 struct CadFace {
     TopoDS_Face face;
-    Handle(Geom_Surface) surface;     ///< in the shape's coordinates, its location applied
-    std::array<Range, 2> range;       ///< of u and v, those of the face
-    bool reversed = false;            ///< the face's normal is against that of the surface
-    std::vector<std::int32_t> edges;  ///< ascending, each once
+    Handle(Geom_Surface) surface;          ///< in the shape's coordinates, its location applied
+    std::array<Range, 2> range;            ///< of u and v, those of the face
+    bool reversed = false;                 ///< the face's normal is against that of the surface
+    std::vector<std::int32_t> edges;       ///< ascending, each once
+    std::shared_ptr<FaceSamples> samples;  ///< see samples_of()
 };
 
 struct CadEdge {
@@ -37,12 +41,12 @@ struct CadEdge {
     Range range;                           ///< of the parameter
     std::array<std::int32_t, 2> vertex{};  ///< at the low and the high end of the range
     std::vector<std::int32_t> faces;       ///< beside it, each once
-    bool seam = false;                     ///< joins a face with itself
+    bool seam = false;                     ///< joins a face with itself; others may end there too
     double length = 0.0;                   ///< in the shape's unit
 
     bool is_degenerated() const { return curve.IsNull(); }
-    /// True where patches of faces end: everything but seams and poles.
-    bool is_border() const { return !is_degenerated() && !seam; }
+    /// True where patches of faces end: everything but poles, and seams on which no other face ends.
+    bool is_border() const { return !is_degenerated() && !(seam && faces.size() == 1); }
 };
 
 /// A shape with its faces, edges and vertices numbered from 0 in the order of FreeCAD's names: Face1 is face 0.

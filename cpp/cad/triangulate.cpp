@@ -22,6 +22,7 @@
 namespace anisoquad::cad {
 namespace {
 
+constexpr double kRounding = 1e-6;    ///< of the diagonal: meshes may hold single precision
 constexpr double kDeflection = 2e-4;  ///< of the diagonal; coarser ones leave too little of thin noses and small fillets
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -35,12 +36,13 @@ class Assembly {
         TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
         at_vertex_.assign(at(vertices_.Extent()), -1);
         on_edge_.resize(at(edges_.Extent()));
+        parameters_.resize(at(edges_.Extent()));
     }
 
     Triangulation run(const std::string& name) {
         std::vector<std::int32_t> failed;
         for (int i = 1; i <= faces_.Extent(); ++i) {
-            if (!add_face(TopoDS::Face(faces_(i)))) failed.push_back(i - 1);
+            if (!add_face(i - 1)) failed.push_back(i - 1);
         }
         if (!failed.empty()) {
             throw Error(ErrorCode::face_not_meshable,
@@ -51,7 +53,8 @@ class Assembly {
     }
 
   private:
-    bool add_face(const TopoDS_Face& face) {
+    bool add_face(std::int32_t index) {
+        const TopoDS_Face& face = TopoDS::Face(faces_(index + 1));
         TopLoc_Location location;
         const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
         if (mesh.IsNull() || mesh->NbTriangles() == 0) return false;
@@ -66,6 +69,7 @@ class Assembly {
             mesh->Triangle(i).Get(a, b, c);
             if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
             triangles_.push_back({base + a - 1, base + b - 1, base + c - 1});
+            face_.push_back(index);
         }
         return true;
     }
@@ -85,8 +89,13 @@ class Assembly {
             for (const std::int32_t node : nodes) join(nodes.front(), node);
             return;
         }
-        std::vector<std::int32_t>& known = on_edge_[at(edges_.FindIndex(edge) - 1)];
-        if (known.empty()) known = nodes;
+        const std::size_t index = at(edges_.FindIndex(edge) - 1);
+        std::vector<std::int32_t>& known = on_edge_[index];
+        if (known.empty()) {
+            known = nodes;
+            for (int i = 1; polygon->HasParameters() && i <= polygon->NbNodes(); ++i)
+                parameters_[index].push_back(polygon->Parameter(i));
+        }
         for (std::size_t i = 0; i < std::min(known.size(), nodes.size()); ++i) join(known[i], nodes[i]);
     }
 
@@ -117,11 +126,25 @@ class Assembly {
             }
             return n;
         };
-        for (const auto& [a, b, c] : triangles_) {
+        for (std::size_t f = 0; f < triangles_.size(); ++f) {
+            const auto& [a, b, c] = triangles_[f];
             if (root(a) == root(b) || root(b) == root(c) || root(c) == root(a)) continue;  // at a pole
             const std::int32_t first = numbered(a);
             const std::int32_t second = numbered(b);
             result.triangles.push_back({first, second, numbered(c)});
+            result.origin.facet_face.push_back(face_[f]);
+        }
+        for (std::size_t e = 0; e < on_edge_.size(); ++e) {
+            EdgePath path;
+            if (!parameters_[e].empty()) {
+                for (std::size_t i = 0; i < on_edge_[e].size(); ++i) {
+                    const std::int32_t v = numbered(on_edge_[e][i]);
+                    if (!path.vertices.empty() && path.vertices.back() == v) continue;
+                    path.vertices.push_back(v);
+                    path.parameters.push_back(parameters_[e][i]);
+                }
+            }
+            result.origin.paths.push_back(std::move(path));
         }
         return result;
     }
@@ -130,9 +153,28 @@ class Assembly {
     std::vector<Eigen::Vector3d> points_;
     std::vector<std::int32_t> same_;
     std::vector<std::array<std::int32_t, 3>> triangles_;
+    std::vector<std::int32_t> face_;  ///< per triangle
     std::vector<std::int32_t> at_vertex_;
     std::vector<std::vector<std::int32_t>> on_edge_;
+    std::vector<std::vector<double>> parameters_;  ///< of the nodes on each edge
 };
+
+/// Mends the triangles, and lets their origin follow: of a line that got other vertices none is known.
+void mend(Triangulation& made) {
+    std::vector<std::vector<std::int32_t>> lines;
+    for (const EdgePath& path : made.origin.paths) lines.push_back(path.vertices);
+    const std::vector<std::int32_t> before = mend_triangles(made.points, made.triangles, lines);
+    std::vector<std::int32_t> facet_face;
+    for (const std::int32_t f : before) facet_face.push_back(f < 0 ? -1 : made.origin.facet_face[at(f)]);
+    made.origin.facet_face = std::move(facet_face);
+    for (std::size_t e = 0; e < lines.size(); ++e) {
+        EdgePath& path = made.origin.paths[e];
+        if (lines[e].size() != path.vertices.size())
+            path = {};
+        else
+            path.vertices = std::move(lines[e]);
+    }
+}
 
 }  // namespace
 
@@ -147,11 +189,19 @@ Triangulation triangulate(const CadShape& shape, const TriangulateOptions& optio
         const BRepMesh_IncrementalMesh mesh(copy, deflection, Standard_False, options.angle * std::numbers::pi / 180.0,
                                             Standard_False);
         Triangulation result = Assembly(copy).run(shape.name());
-        mend_triangles(result.points, result.triangles);
+        mend(result);
         return result;
     } catch (const Standard_Failure& failure) {
         throw Error(ErrorCode::face_not_meshable, shape.name() + " can't be triangulated: " + failure.GetMessageString());
     }
+}
+
+bool is_same(const Triangulation& made, std::span<const Eigen::Vector3d> points,
+             std::span<const std::array<std::int32_t, 3>> triangles, double diagonal) {
+    return std::equal(made.triangles.begin(), made.triangles.end(), triangles.begin(), triangles.end()) &&
+           std::equal(
+               made.points.begin(), made.points.end(), points.begin(), points.end(),
+               [diagonal](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm() <= kRounding * diagonal; });
 }
 
 }  // namespace anisoquad::cad
