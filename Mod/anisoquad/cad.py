@@ -74,6 +74,10 @@ class CadShape:
         self.made = self.core.triangulate(deflection, angle)
         return self.made.points, self.made.triangles
 
+    def check(self):
+        """Raise MeshError ("invalid_shape") with the faces in which OpenCASCADE finds errors."""
+        self.core.check()
+
     def tangent_chain(self, edge, angle=_CHAIN_ANGLE):
         """Names of the edges that go on from an edge tangentially, in order, e.g. ["Edge7", "Edge3"].
 

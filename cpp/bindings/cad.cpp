@@ -89,6 +89,7 @@ PYBIND11_MODULE(_cad, module) {
                 return make_shape(read_shape(path), name, check);
             },
             py::arg("path"), py::arg("name"), py::arg("check"), py::call_guard<py::gil_scoped_release>())
+        .def("check", &check_shape, py::call_guard<py::gil_scoped_release>())
         .def_property_readonly("name", &CadShape::name)
         .def_property_readonly("diagonal", &CadShape::diagonal)
         .def_property_readonly("face_count", [](const CadShape& s) { return s.faces().size(); })

@@ -159,6 +159,28 @@ class Assembly {
     std::vector<std::vector<double>> parameters_;  ///< of the nodes on each edge
 };
 
+/// Without vertices that are in no triangle: other programs would not keep them.
+void drop_unused(Triangulation& made) {
+    std::vector<std::int32_t> number(made.points.size(), -1);
+    for (const auto& t : made.triangles) {
+        for (const std::int32_t v : t) number[at(v)] = 0;
+    }
+    std::int32_t count = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] < 0) continue;
+        made.points[at(count)] = made.points[v];
+        number[v] = count++;
+    }
+    made.points.resize(at(count));
+    for (auto& t : made.triangles) {
+        for (std::int32_t& v : t) v = number[at(v)];
+    }
+    for (EdgePath& path : made.origin.paths) {
+        for (std::int32_t& v : path.vertices) v = number[at(v)];
+        if (std::ranges::find(path.vertices, -1) != path.vertices.end()) path = {};
+    }
+}
+
 /// Mends the triangles, and lets their origin follow: of a line that got other vertices none is known.
 void mend(Triangulation& made) {
     std::vector<std::vector<std::int32_t>> lines;
@@ -174,6 +196,7 @@ void mend(Triangulation& made) {
         else
             path.vertices = std::move(lines[e]);
     }
+    drop_unused(made);
 }
 
 }  // namespace

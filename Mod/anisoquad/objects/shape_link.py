@@ -5,14 +5,20 @@ import zlib
 from ..cad import CadShape, CadSurface, has_cad
 from ..compat import global_placement
 from ..errors import MeshError
-from .triangles_object import is_triangles
+from .triangles_object import is_triangles, tessellation_of
+
+
+_last = {}  # key of a ShapeLink: its CadShape with triangles, which the objects of one recompute share
 
 
 class ShapeLink:
-    """A shape as text, apart from the document: what a run in another thread needs of it."""
+    """A shape as text, apart from the document: what a run in another thread needs of it.
 
-    def __init__(self, brep, name, smooth_angle=0.0):
-        self.brep, self.name, self.smooth_angle = brep, name, smooth_angle
+    tessellation -- (deflection, degrees) by which OpenCASCADE makes its triangles; None where others made them
+    """
+
+    def __init__(self, brep, name, smooth_angle=0.0, tessellation=None):
+        self.brep, self.name, self.smooth_angle, self.tessellation = brep, name, smooth_angle, tessellation
 
     def __repr__(self):
         """Differs when the shape does."""
@@ -20,7 +26,23 @@ class ShapeLink:
 
     def surface(self, points, triangles):
         """The CadSurface of triangles of this shape. Raises MeshError when they do not belong together, or the shape is invalid."""
-        return CadSurface(CadShape.from_brep(self.brep, self.name), points, triangles, join_smooth=self.smooth_angle)
+        shape = self._triangulated() if self.tessellation else CadShape.from_brep(self.brep, self.name, check=False)
+        shape.check()
+        return CadSurface(shape, points, triangles, join_smooth=self.smooth_angle)
+
+    def triangles(self):
+        """(points (N,3), triangles (M,3)) by its tessellation. Raises MeshError ("face_not_meshable") with faces that get none."""
+        made = self._triangulated().made
+        return made.points, made.triangles
+
+    def _triangulated(self):
+        key = (self.brep, self.name, self.tessellation)
+        if key not in _last:
+            shape = CadShape.from_brep(self.brep, self.name, check=False)
+            shape.triangulate(*self.tessellation)
+            _last.clear()
+            _last[key] = shape
+        return _last[key]
 
 
 def shape_of(obj):
@@ -37,11 +59,11 @@ def shape_of(obj):
     return shape
 
 
-def link_to(obj, smooth_angle=0.0):
+def link_to(obj, smooth_angle=0.0, tessellation=None):
     """The ShapeLink of a Part object."""
-    return ShapeLink(shape_of(obj).exportBrepToString(), obj.Label, smooth_angle)
+    return ShapeLink(shape_of(obj).exportBrepToString(), obj.Label, smooth_angle, tessellation)
 
 
 def shape_behind(base, smooth_angle=0.0):
     """The ShapeLink of the Part object of which the base is the tessellation; None for other meshes, and without OpenCASCADE."""
-    return link_to(base.Shape, smooth_angle) if is_triangles(base) and has_cad() else None
+    return link_to(base.Shape, smooth_angle, tessellation_of(base)) if is_triangles(base) and has_cad() else None

@@ -2,6 +2,9 @@
 
 import FreeCAD
 
+from .. import convert
+from ..cad import has_cad
+from ..errors import MeshError
 from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 from .recompute_run import run_in_recompute
@@ -30,7 +33,7 @@ _DEFAULTS = {"Triangulator": list(TRIANGULATORS), "Angle": 8.0, "CurvatureAngle"
 
 
 class TrianglesObject(properties.SavedByProperties):
-    """Proxy of a Mesh::FeaturePython that keeps a tessellation of its Shape, made by MeshPart or by Gmsh."""
+    """Proxy of a Mesh::FeaturePython that keeps a tessellation of its Shape, made by OpenCASCADE or by Gmsh."""
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -90,11 +93,25 @@ class TrianglesObject(properties.SavedByProperties):
             attach(obj)
 
 
-def _by_opencascade(obj):
-    """The Mesh.Mesh by MeshPart."""
-    import MeshPart
+def tessellation_of(obj):
+    """(deflection, degrees) by which OpenCASCADE makes the object's triangles; None where it does not, or by Mefisto."""
+    if obj.Triangulator != "OpenCASCADE" or obj.MaxLength.Value > 0.0:
+        return None
+    return obj.Deflection.Value, obj.Angle.getValueAs("deg").Value
 
-    from .shape_link import shape_of
+
+def _by_opencascade(obj):
+    """The Mesh.Mesh by the mesher's own part for CAD; by MeshPart where that is missing, by Mefisto, and with faces left out."""
+    from .shape_link import link_to, shape_of
+
+    tessellation = tessellation_of(obj)
+    if tessellation and has_cad():
+        try:
+            return convert.mesh_of(*link_to(obj.Shape, tessellation=tessellation).triangles())
+        except MeshError as error:
+            if error.code != "face_not_meshable":
+                raise
+    import MeshPart
 
     shape = shape_of(obj.Shape)
     if obj.MaxLength.Value > 0.0:
