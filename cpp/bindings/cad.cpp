@@ -35,9 +35,10 @@ std::shared_ptr<CadSurface> linked_surface(const ShapePointer& shape, const Poin
     const auto points_of = point_span(points);
     const auto triangles_of = triangle_span(triangles);
     const py::gil_scoped_release without_gil;
-    auto linked = std::make_shared<const MeshLink>(made && is_same(*made, points_of, triangles_of, shape->diagonal())
-                                                       ? link_mesh(*shape, points_of, triangles_of, made->origin)
-                                                       : link_mesh(*shape, points_of, triangles_of));
+    const bool same = made && is_same(*made, points_of, triangles_of, shape->diagonal());
+    // Rounded to single precision, as the caller may have them, thin facets can lose their area.
+    auto linked = std::make_shared<const MeshLink>(same ? link_mesh(*shape, made->points, triangles_of, made->origin)
+                                                        : link_mesh(*shape, points_of, triangles_of));
     const std::vector<char> joined = smooth_angle > 0.0 ? smooth_edges(*shape, smooth_angle) : std::vector<char>();
     return std::make_shared<CadSurface>(shape, std::move(linked), triangles_of, joined);
 }

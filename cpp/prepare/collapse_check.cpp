@@ -21,6 +21,13 @@ constexpr double kLeastCosine = 0.3;   ///< between a triangle before and after 
 
 Vector3d area_vector(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
 
+bool is_on_line(const SurfaceMesh& mesh, HalfEdge h) { return mesh.is_boundary(M::edge(h)) || mesh.info(M::edge(h)).line >= 0; }
+
+/// True where the triangle at h, which would go, is all that keeps two lines apart.
+bool joins_lines(const SurfaceMesh& mesh, HalfEdge h) {
+    return !mesh.is_boundary(h) && is_on_line(mesh, mesh.next(h)) && is_on_line(mesh, mesh.prev(h));
+}
+
 /// The middles of the new edges and triangles, against the surface of their patch.
 bool stays_on_surface(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& reference, double deviation) {
     const Vertex gone = mesh.from(h);
@@ -46,7 +53,7 @@ bool stays_on_surface(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurfac
 }  // namespace
 
 bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& reference, double deviation) {
-    if (!is_collapse_ok(mesh, h)) return false;
+    if (!is_collapse_ok(mesh, h) || joins_lines(mesh, h) || joins_lines(mesh, M::twin(h))) return false;
     const Vertex gone = mesh.from(h);
     const Vertex kept = mesh.to(h);
     const Point& old = mesh.position(gone);

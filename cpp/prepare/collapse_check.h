@@ -7,7 +7,7 @@
 namespace anisoquad {
 
 /// True if the triangles round from(h) keep their side, a usable shape and their place on the surface, and do not become too long
-/// (for VertexInfo::size), when the node is merged into to(h).
+/// (for VertexInfo::size), when the node is merged into to(h), and no two lines become one.
 /// @param deviation of a triangle's middle and edges from the surface that passes in any case
 /// @pre all faces at from(h) are triangles
 bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& reference, double deviation);

@@ -39,6 +39,7 @@ constexpr double kMostRefinement = 8.0;   ///< of the edges along a source
 constexpr double kWidthOverHeight =
     1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
 constexpr double kFinestSource = 1.0 / 64.0;  ///< least edges along a source for the rows at its ends, over the largest size
+constexpr double kShortForShape = 0.5;        ///< edges of lines over those wanted: the line's shape has made them so short
 constexpr double kStepAtLine = 1.8;  ///< line edges this much longer than wanted spread the remeshing to the patch behind them
 
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
@@ -66,12 +67,13 @@ class Prepare {
             context_.report(static_cast<double>(sweep) / kSweeps);
             // Lines first, as often as they still double: the triangles beside them follow.
             for (int i = 0; i < kSweeps; ++i) {
-                field.assign(mesh_, hint_, kept_edges(), source_bounds(), context_);
+                field.assign(mesh_, hint_, kept_edges(), vertex_bounds(), context_);
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
+            if (sweep == 0) bound_by_line_shape();
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
             const std::vector<char> lines = line_edges();
-            field.assign(mesh_, hint_, lines, source_bounds(), context_);
+            field.assign(mesh_, hint_, lines, vertex_bounds(), context_);
             std::vector<char> zone = zone_of_patches();
             const RemeshResult r = remesh_triangles(mesh_, zone, input_.reference,
                                                     {.sweeps = 1,
@@ -158,16 +160,36 @@ class Prepare {
         }
     }
 
-    /// Per vertex: bound of the size on sources, 0 = none; empty where no source has rows.
-    std::vector<double> source_bounds() const {
-        if (source_bound_.empty()) return {};
-        std::vector<double> bounds;
-        bounds.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+    /// Line edges that stay far shorter than wanted are so for the line's shape: other lines that meet it there grow from them.
+    void bound_by_line_shape() {
+        shape_bound_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+        for (const LineNodes& chain : chains_) {
+            for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {
+                const Vertex a = chain.nodes[i];
+                const Vertex b = chain.nodes[i + 1];
+                const double length = (mesh_.position(a) - mesh_.position(b)).norm();
+                if (length > kShortForShape * 0.5 * (mesh_.info(a).size + mesh_.info(b).size)) continue;
+                for (const Vertex v : {a, b}) {
+                    double& bound = shape_bound_[static_cast<std::size_t>(v.index())];
+                    bound = bound > 0.0 ? std::min(bound, length) : length;
+                }
+            }
+        }
+    }
+
+    /// Per vertex: bound of the size for the shape of lines, and on sources with rows; 0 = none.
+    std::vector<double> vertex_bounds() const {
+        std::vector<double> bounds = shape_bound_;
+        bounds.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+        if (source_bound_.empty()) return bounds;
         for (const LineNodes& chain : chains_) {
             if (!is_source(chain)) continue;
             const double bound =
                 source_bound_[static_cast<std::size_t>(input_.lines[static_cast<std::size_t>(chain.line)].source)];
-            for (const Vertex v : chain.nodes) bounds[static_cast<std::size_t>(v.index())] = bound;
+            for (const Vertex v : chain.nodes) {
+                double& kept = bounds[static_cast<std::size_t>(v.index())];
+                kept = kept > 0.0 ? std::min(kept, bound) : bound;
+            }
         }
         return bounds;
     }
@@ -289,6 +311,7 @@ class Prepare {
     std::vector<LineNodes> chains_;
     std::vector<std::int32_t> hint_;
     std::vector<double> vertex_size_;
+    std::vector<double> shape_bound_;   ///< per vertex, where a line's shape makes its edges short; 0 = none
     std::vector<double> source_bound_;  ///< per source, of the edges along it; empty: no source has rows
 };
 

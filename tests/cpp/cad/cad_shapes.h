@@ -1,5 +1,6 @@
 #pragma once
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -9,11 +10,14 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <cmath>
 #include <memory>
@@ -25,6 +29,15 @@ namespace anisoquad::cad::shapes {
 
 inline CadShape box(double x = 3.0, double y = 2.0, double z = 1.0) {
     return CadShape(BRepPrimAPI_MakeBox(x, y, z).Shape(), "Box");
+}
+/// A box of six faces that share no edges, as IGES files often have them.
+inline CadShape loose_box() {
+    TopoDS_Compound faces;
+    BRep_Builder builder;
+    builder.MakeCompound(faces);
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(3.0, 2.0, 1.0).Shape();
+    for (TopExp_Explorer e(box, TopAbs_FACE); e.More(); e.Next()) builder.Add(faces, BRepBuilderAPI_Copy(e.Current()).Shape());
+    return CadShape(faces, "Loose box");
 }
 inline CadShape cylinder(double radius = 1.0, double height = 2.0) {
     return CadShape(BRepPrimAPI_MakeCylinder(radius, height).Shape(), "Cylinder");

@@ -40,6 +40,32 @@ TEST(LinkMesh, EveryTriangleIsOnItsFaceAndHasItsParameters) {
     }
 }
 
+TEST(LinkMesh, WhatIsKnownOfTheTrianglesIsWhatTheSearchFinds) {
+    for (const CadShape& shape : {shapes::box(), shapes::cylinder(), shapes::sphere(), shapes::cone(), shapes::torus(),
+                                  shapes::stadium(), shapes::loose_box()}) {
+        const Triangulation mesh = triangulate(shape);
+        const MeshLink found = link_mesh(shape, mesh.points, mesh.triangles);
+        const MeshLink known = link_mesh(shape, mesh.points, mesh.triangles, mesh.origin);
+        EXPECT_EQ(known.facet_face, found.facet_face) << shape.name();
+        for (std::size_t e = 0; e < found.paths.size(); ++e)
+            EXPECT_EQ(known.paths[e].vertices, found.paths[e].vertices) << shape.name() << e;
+        for (std::size_t v = 0; v < found.entity.size(); ++v)
+            EXPECT_EQ(known.entity[v].kind, found.entity[v].kind) << shape.name() << v;
+    }
+}
+
+TEST(LinkMesh, WhatIsKnownGoesBeforeWhatTheSearchWouldFind) {
+    const CadShape box = shapes::box();
+    const Triangulation mesh = triangulate(box);
+    TriangleOrigin other = mesh.origin;
+    for (std::int32_t& face : other.facet_face) face = face == 0 ? 1 : face == 1 ? 0 : face;  // two opposite sides
+    EXPECT_THROW(link_mesh(box, mesh.points, mesh.triangles, other), Error) << "the points are not on the faces given";
+    other = mesh.origin;
+    other.facet_face.assign(other.facet_face.size(), -1);
+    other.paths.assign(other.paths.size(), {});
+    EXPECT_EQ(link_mesh(box, mesh.points, mesh.triangles, other).facet_face, mesh.origin.facet_face);
+}
+
 TEST(LinkMesh, TellsVerticesEdgesAndFaces) {
     const CadShape box = shapes::box();
     const Triangulation mesh = triangulate(box);

@@ -4,6 +4,8 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <algorithm>
+
 #include "cad_shapes.h"
 #include "errors.h"
 
@@ -72,6 +74,16 @@ TEST(CheckShape, NamesInvalidFaces) {
         EXPECT_EQ(error.ids(), std::vector<std::int32_t>{0});
         EXPECT_NE(std::string(error.what()).find("Face1"), std::string::npos);
     }
+}
+
+TEST(CadEdge, ASeamIsABorderWhereAnotherFaceEnds) {
+    const CadShape cylinder = shapes::cylinder();
+    const auto seam = std::ranges::find_if(cylinder.edges(), [](const CadEdge& e) { return e.seam; });
+    ASSERT_NE(seam, cylinder.edges().end());
+    EXPECT_FALSE(seam->is_border());
+    CadEdge shared = *seam;
+    shared.faces.push_back(1);
+    EXPECT_TRUE(shared.is_border());
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <set>
 
 #include "cad/check_triangles.h"
+#include "cad/closest_point.h"
+#include "cad/to_eigen.h"
 #include "cad_shapes.h"
 #include "errors.h"
 
@@ -54,6 +57,53 @@ TEST(Triangulate, IsFinerWhereAsked) {
     EXPECT_GT(triangulate(torus, {0.005, 30.0}).triangles.size(), 2 * coarse);
     EXPECT_GT(triangulate(torus, {0.05, 5.0}).triangles.size(), 2 * coarse);
     EXPECT_EQ(triangulate(torus, {0.05, 30.0}).triangles.size(), coarse) << "what was made before is not taken again";
+}
+
+TEST(Triangulate, KnowsTheFaceOfEveryTriangleAndTheNodesOnEveryEdge) {
+    for (const CadShape& shape :
+         {shapes::box(), shapes::cylinder(), shapes::sphere(), shapes::cone(), shapes::torus(), shapes::loose_box()}) {
+        const Triangulation mesh = triangulate(shape);
+        ASSERT_EQ(mesh.origin.facet_face.size(), mesh.triangles.size());
+        for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+            for (const std::int32_t v : mesh.triangles[f]) {
+                const FacePoint on =
+                    closest_on_face(shape.face(mesh.origin.facet_face[f]), mesh.points[static_cast<std::size_t>(v)]);
+                EXPECT_LT(on.distance, 1e-7) << shape.name();
+            }
+        }
+        ASSERT_EQ(mesh.origin.paths.size(), shape.edges().size());
+        const Neighbours neighbours(mesh.points.size(), mesh.triangles);
+        for (std::size_t e = 0; e < shape.edges().size(); ++e) {
+            const EdgePath& path = mesh.origin.paths[e];
+            if (shape.edges()[e].is_degenerated()) continue;
+            ASSERT_GE(path.vertices.size(), 2u) << shape.name();
+            EXPECT_TRUE(std::is_sorted(path.parameters.begin(), path.parameters.end())) << shape.name();
+            for (std::size_t i = 0; i < path.vertices.size(); ++i) {
+                const gp_Pnt on = shape.edges()[e].curve->Value(path.parameters[i]);
+                EXPECT_LT((mesh.points[static_cast<std::size_t>(path.vertices[i])] - to_eigen(on)).norm(), 1e-7) << shape.name();
+                if (i == 0) continue;
+                EXPECT_TRUE(std::ranges::binary_search(neighbours.of(path.vertices[i - 1]), path.vertices[i])) << shape.name();
+            }
+        }
+    }
+}
+
+TEST(Triangulate, FacesThatAreNotSewnAreJoined) {
+    const Triangulation mesh = triangulate(shapes::loose_box());
+    EXPECT_EQ(mesh.points.size(), 8u);
+    EXPECT_EQ(euler(mesh), 2);
+}
+
+TEST(Triangulate, IsKnownAgainInSinglePrecisionAndNotWhereAPointWasMoved) {
+    const CadShape torus = shapes::torus();
+    const Triangulation mesh = triangulate(torus);
+    std::vector<Eigen::Vector3d> points = mesh.points;
+    for (Eigen::Vector3d& p : points) p = p.cast<float>().cast<double>();
+    EXPECT_TRUE(is_same(mesh, points, mesh.triangles, torus.diagonal()));
+    points[5].x() += 1e-3;
+    EXPECT_FALSE(is_same(mesh, points, mesh.triangles, torus.diagonal()));
+    points.pop_back();
+    EXPECT_FALSE(is_same(mesh, points, mesh.triangles, torus.diagonal()));
 }
 
 TEST(Triangulate, RejectsBadOptions) {

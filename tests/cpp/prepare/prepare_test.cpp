@@ -102,6 +102,33 @@ TEST(PrepareTriangles, AnAskedSizeIsReachedFromFinerAndFromCoarserTriangles) {
     }
 }
 
+TEST(PrepareTriangles, LinesGrowFromEdgesThatAnotherLinesShapeKeepsShort) {
+    // A long plate whose lower side is an arc of short edges.
+    constexpr int kArc = 24;
+    Surface s;
+    for (int i = 0; i <= kArc; ++i) {
+        const double angle = std::numbers::pi * (4.0 + 1.0 * i / kArc) / 3.0;
+        s.points.emplace_back(0.5 + std::cos(angle), std::sqrt(0.75) + std::sin(angle), 0.0);
+    }
+    s.points.insert(s.points.end(), {{0.0, 4.0, 0.0}, {1.0, 4.0, 0.0}});
+    for (int i = 0; i < kArc; ++i) s.triangles.push_back({i, i + 1, kArc + 1});
+    s.triangles.push_back({kArc, kArc + 2, kArc + 1});
+    Options options;
+    options.size = 0.5;
+    options.growth = 1.3;
+    const Prepared p = prepare(s, {}, options);
+    double shortest_on_arc = 1.0;
+    double on_side = 0.0;
+    for (const HalfEdge h : p.mesh.outgoing(Vertex(0))) {
+        if (!p.mesh.is_boundary(SurfaceMesh::edge(h))) continue;
+        const bool is_side = p.mesh.position(p.mesh.to(h)).x() < 1e-9;
+        (is_side ? on_side : shortest_on_arc) = p.mesh.length(h);
+    }
+    EXPECT_LT(shortest_on_arc, 0.2);
+    EXPECT_LT(on_side, 2.0 * shortest_on_arc);
+    EXPECT_GT(on_side, 0.5 * shortest_on_arc);
+}
+
 TEST(PrepareTriangles, SizesGivenPerVertexGradeTheTriangles) {
     const Surface s = strip_cylinder(24, 40, 1.0);
     Options options;
