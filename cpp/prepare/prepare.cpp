@@ -70,7 +70,6 @@ class Prepare {
                 field.assign(mesh_, hint_, kept_edges(), vertex_bounds(), context_);
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
-            if (sweep == 0) bound_by_line_shape();
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
             const std::vector<char> lines = line_edges();
             field.assign(mesh_, hint_, lines, vertex_bounds(), context_);
@@ -160,36 +159,35 @@ class Prepare {
         }
     }
 
-    /// Line edges that stay far shorter than wanted are so for the line's shape: other lines that meet it there grow from them.
-    void bound_by_line_shape() {
-        shape_bound_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
-        for (const LineNodes& chain : chains_) {
-            for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {
-                const Vertex a = chain.nodes[i];
-                const Vertex b = chain.nodes[i + 1];
-                const double length = (mesh_.position(a) - mesh_.position(b)).norm();
-                if (length > kShortForShape * 0.5 * (mesh_.info(a).size + mesh_.info(b).size)) continue;
-                for (const Vertex v : {a, b}) {
-                    double& bound = shape_bound_[static_cast<std::size_t>(v.index())];
-                    bound = bound > 0.0 ? std::min(bound, length) : length;
-                }
-            }
+    double line_deviation(const LineNodes& chain) const {
+        const bool is_ridge = input_.lines[static_cast<std::size_t>(chain.line)].is_ridge;
+        return (is_ridge ? kRidgeSagitta : kLineSagitta) * input_.reference.diagonal();
+    }
+
+    /// Edges that a line's shape keeps short: other lines that meet it there grow from them.
+    void bound_by_shape(const LineNodes& chain, std::vector<double>& bounds) const {
+        const double deviation = line_deviation(chain);
+        for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
+            if (input_.reference_lines.deviation(chain.line, chain.ways[i - 1], chain.ways[i + 1]) <= deviation) continue;
+            const double length = 0.5 * (chain.ways[i + 1] - chain.ways[i - 1]);
+            for (std::size_t k = i - 1; k <= i + 1; ++k) bound(bounds, chain.nodes[k], length);
         }
+    }
+
+    static void bound(std::vector<double>& bounds, Vertex v, double size) {
+        double& kept = bounds[static_cast<std::size_t>(v.index())];
+        kept = kept > 0.0 ? std::min(kept, size) : size;
     }
 
     /// Per vertex: bound of the size for the shape of lines, and on sources with rows; 0 = none.
     std::vector<double> vertex_bounds() const {
-        std::vector<double> bounds = shape_bound_;
-        bounds.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+        std::vector<double> bounds(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+        for (const LineNodes& chain : chains_) bound_by_shape(chain, bounds);
         if (source_bound_.empty()) return bounds;
         for (const LineNodes& chain : chains_) {
             if (!is_source(chain)) continue;
-            const double bound =
-                source_bound_[static_cast<std::size_t>(input_.lines[static_cast<std::size_t>(chain.line)].source)];
-            for (const Vertex v : chain.nodes) {
-                double& kept = bounds[static_cast<std::size_t>(v.index())];
-                kept = kept > 0.0 ? std::min(kept, bound) : bound;
-            }
+            const std::int32_t source = input_.lines[static_cast<std::size_t>(chain.line)].source;
+            for (const Vertex v : chain.nodes) bound(bounds, v, source_bound_[static_cast<std::size_t>(source)]);
         }
         return bounds;
     }
@@ -249,10 +247,8 @@ class Prepare {
                 free = !is_settled(h) && !is_settled(M::twin(h));
             }
             if (!free) continue;
-            const double diagonal = input_.reference.diagonal();
-            const double deviation = input_.lines[static_cast<std::size_t>(chain.line)].is_ridge ? kRidgeSagitta : kLineSagitta;
             changes += redistribute_line_nodes(mesh_, chain, input_.reference_lines, input_.reference,
-                                               {deviation * diagonal, sagitta_, &*coverage_, is_source(chain)});
+                                               {line_deviation(chain), sagitta_, &*coverage_, is_source(chain)});
         }
         return changes;
     }
@@ -311,7 +307,6 @@ class Prepare {
     std::vector<LineNodes> chains_;
     std::vector<std::int32_t> hint_;
     std::vector<double> vertex_size_;
-    std::vector<double> shape_bound_;   ///< per vertex, where a line's shape makes its edges short; 0 = none
     std::vector<double> source_bound_;  ///< per source, of the edges along it; empty: no source has rows
 };
 
