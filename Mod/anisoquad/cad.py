@@ -43,6 +43,7 @@ class CadShape:
 
     face_count, edge_count -- numbers of faces and edges
     diagonal -- of its bounding box
+    made -- the core's Triangulation of the last triangulate(), None before: CadSurface takes the faces of its triangles from it
     """
 
     def __init__(self, core):

@@ -164,7 +164,7 @@ class Prepare {
         return (is_ridge ? kRidgeSagitta : kLineSagitta) * input_.reference.diagonal();
     }
 
-    /// Edges that a line's shape keeps short: other lines that meet it there grow from them.
+    /// Edges that the shape of one of the input's lines keeps short: other lines that meet it there grow from them.
     void bound_by_shape(const LineNodes& chain, std::vector<double>& bounds) const {
         const double deviation = line_deviation(chain);
         for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
@@ -182,7 +182,9 @@ class Prepare {
     /// Per vertex: bound of the size for the shape of lines, and on sources with rows; 0 = none.
     std::vector<double> vertex_bounds() const {
         std::vector<double> bounds(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
-        for (const LineNodes& chain : chains_) bound_by_shape(chain, bounds);
+        for (const LineNodes& chain : chains_) {
+            if (!input_.lines[static_cast<std::size_t>(chain.line)].is_ridge) bound_by_shape(chain, bounds);
+        }
         if (source_bound_.empty()) return bounds;
         for (const LineNodes& chain : chains_) {
             if (!is_source(chain)) continue;
