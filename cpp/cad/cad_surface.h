@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cad/facet_regions.h"
+#include "cad/path_edges.h"
 #include "cad/link_mesh.h"
 #include "cad/shape.h"
 #include "surface/target_surface.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cad/facet_regions.h"
+#include "cad/path_edges.h"
 
 namespace anisoquad::cad {
 
