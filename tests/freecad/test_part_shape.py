@@ -4,11 +4,17 @@ import json
 import unittest
 
 import FreeCAD
+import numpy as np
 import Part
 from part_case import PartTest
 from shapes import largest_distance, leading_edge, loft_wing
 
 import anisoquad
+from anisoquad.cad import CadShape
+from anisoquad.convert import fem_mesh_to_arrays
+from anisoquad.objects.base_mesh import base_arrays
+from anisoquad.objects.shape_link import shape_of
+from anisoquad.objects.triangles_object import tessellation_of
 
 
 def groups_of(fem_mesh):
@@ -112,6 +118,29 @@ class Wing(PartTest):
         source.Reverse = True
         self.doc.recompute()
         self.assertEqual(source.Vertices, line[::-1])
+
+
+class OwnTriangles(PartTest):
+    def test_the_mesh_object_holds_them_as_they_were_made(self):
+        wing = loft_wing(self.doc)
+        triangles = anisoquad.make_triangles(self.doc, wing)
+        self.doc.recompute()
+        points, facets = base_arrays(triangles)
+        shape = CadShape.from_brep(shape_of(wing).exportBrepToString())
+        made_points, made_facets = shape.triangulate(*tessellation_of(triangles))
+        self.assertEqual(facets.tolist(), made_facets.tolist())
+        self.assertLess(abs(points - made_points).max(), 1e-6 * shape.diagonal)
+
+    def test_faces_that_are_not_sewn_are_one_surface(self):
+        loose = self.doc.addObject("Part::Feature", "Loose")
+        loose.Shape = Part.makeCompound([face.copy() for face in Part.makeBox(30, 20, 10).Faces])
+        quads = anisoquad.make_quad_mesh(self.doc, base=loose, options=anisoquad.Options(size=4.0))
+        self.doc.recompute()
+        self.assert_good(quads, loose.Shape)
+        self.assertEqual(json.loads(quads.Report)["patches"], 6)
+        _, ids = fem_mesh_to_arrays(quads.FemMesh)
+        sides = np.sort(np.stack([ids, np.roll(ids, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+        self.assertEqual(set(np.unique(sides, axis=0, return_counts=True)[1].tolist()), {2}, "every side has two quads")
 
 
 class ShellConstraints(PartTest):
