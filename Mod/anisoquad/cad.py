@@ -75,6 +75,10 @@ class CadShape:
         self.made = self.core.triangulate(deflection, angle)
         return self.made.points, self.made.triangles
 
+    def invalid_faces(self):
+        """Names of the faces in which OpenCASCADE finds errors."""
+        return [f"Face{index + 1}" for index in self.core.invalid_faces()]
+
     def check(self):
         """Raise MeshError ("invalid_shape") with the faces in which OpenCASCADE finds errors."""
         self.core.check()

@@ -86,7 +86,7 @@ def _make_options(given):
 
 def _mesh_shape(given, options):
     """The QuadMesh of a CAD file, its nodes on the shape."""
-    shape = cad.CadShape.from_file(given.input)
+    shape = cad.CadShape.from_file(given.input, check=not options.repair)
     points, triangles = _triangulate(shape, given, options)
     surface = cad.CadSurface(shape, points, triangles, join_smooth=given.smooth_angle)
     sources = _read_sources(given)

@@ -24,9 +24,11 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None, surfac
     Returns a QuadMesh. Raises MeshError with the ids of what is wrong in the input, Cancelled when progress said so.
     """
     options = options if options is not None else Options()
+    take_invalid = surface is not None and options.repair
     if surface is not None:
         points = surface.points
         options = with_feature_edges(options, surface.feature_edges)
+        options.repair = False  # they were checked when they were linked to the shape
     sources = [source if isinstance(source, Source) else Source(source) for source in sources]
     result = _core.quad_mesh(
         checked_points(points),
@@ -38,6 +40,8 @@ def quad_mesh(points, triangles, sources=(), options=None, progress=None, surfac
     )
     if surface is not None:
         result.update(surface.entities_of(result))
+        if take_invalid and (invalid := surface.shape.invalid_faces()):
+            result["report"]["warnings"].append(f"invalid faces of the shape were taken as they are: {', '.join(invalid)}")
         if result["report"]["inverted"] and (folds := surface.count_folds()):
             result["report"]["warnings"].append(f"the shape's triangles are folded over at {folds} edges; let Gmsh make them")
     return QuadMesh(**result)

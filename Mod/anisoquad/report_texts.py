@@ -29,6 +29,7 @@ WARNINGS = (
     QT_TRANSLATE_NOOP("Report", "in {} of them the triangles turn too far from one to the next"),
     QT_TRANSLATE_NOOP("Report", "the shape's triangles are folded over at {} edges"),
     QT_TRANSLATE_NOOP("Report", "let Gmsh make them"),
+    QT_TRANSLATE_NOOP("Report", "invalid faces of the shape were taken as they are"),
     QT_TRANSLATE_NOOP("Report", "the input was repaired"),
     QT_TRANSLATE_NOOP("Report", "{} facet without all vertices dropped"),
     QT_TRANSLATE_NOOP("Report", "{} facets without all vertices dropped"),

@@ -90,6 +90,7 @@ PYBIND11_MODULE(_cad, module) {
                 return make_shape(read_shape(path), name, check);
             },
             py::arg("path"), py::arg("name"), py::arg("check"), py::call_guard<py::gil_scoped_release>())
+        .def("invalid_faces", &invalid_faces, py::call_guard<py::gil_scoped_release>())
         .def("check", &check_shape, py::call_guard<py::gil_scoped_release>())
         .def_property_readonly("name", &CadShape::name)
         .def_property_readonly("diagonal", &CadShape::diagonal)

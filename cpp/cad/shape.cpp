@@ -106,7 +106,7 @@ std::string CadShape::names(const char* kind, std::span<const std::int32_t> ids)
     return ids.size() > kMostNames ? text + ", …" : text;
 }
 
-void check_shape(const CadShape& shape) {
+std::vector<std::int32_t> invalid_faces(const CadShape& shape) {
     std::vector<std::int32_t> broken;
     for (std::size_t i = 0; i < shape.faces().size(); ++i) {
         bool valid = false;
@@ -116,8 +116,15 @@ void check_shape(const CadShape& shape) {
         }
         if (!valid) broken.push_back(static_cast<std::int32_t>(i));
     }
+    return broken;
+}
+
+void check_shape(const CadShape& shape) {
+    const std::vector<std::int32_t> broken = invalid_faces(shape);
     if (broken.empty()) return;
-    throw Error(ErrorCode::invalid_shape, shape.name() + " has invalid faces: " + CadShape::names("Face", broken) + ".",
+    throw Error(ErrorCode::invalid_shape,
+                shape.name() + " has invalid faces: " + CadShape::names("Face", broken) +
+                    ". Mend the shape, or take them as they are with the option repair.",
                 ElementKind::cad_face, broken);
 }
 

@@ -80,7 +80,9 @@ class CadShape {
     double diagonal_ = 0.0;
 };
 
-/// Looks for what OpenCASCADE finds wrong with the shape's faces. @throws Error{invalid_shape} that names them
+/// Faces in which OpenCASCADE finds errors.
+std::vector<std::int32_t> invalid_faces(const CadShape& shape);
+/// @throws Error{invalid_shape} that names the shape's invalid faces, if it has any
 void check_shape(const CadShape& shape);
 
 }  // namespace anisoquad::cad

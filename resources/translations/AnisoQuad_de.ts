@@ -744,6 +744,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>in {} davon ändert sich die Größe der Dreiecke zu schnell</translation>
   </message>
   <message>
+   <source>invalid faces of the shape were taken as they are</source>
+   <translation>ungültige Flächen der Form wurden genommen, wie sie sind</translation>
+  </message>
+  <message>
    <source>let Gmsh make them</source>
    <translation>sie von Gmsh bilden lassen</translation>
   </message>

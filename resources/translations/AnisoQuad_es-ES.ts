@@ -744,6 +744,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>en {} de ellas el tamaño de los triángulos cambia demasiado rápido</translation>
   </message>
   <message>
+   <source>invalid faces of the shape were taken as they are</source>
+   <translation>las caras no válidas de la forma se tomaron tal como son</translation>
+  </message>
+  <message>
    <source>let Gmsh make them</source>
    <translation>que los haga Gmsh</translation>
   </message>

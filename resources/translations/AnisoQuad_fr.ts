@@ -744,6 +744,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>dans {} d’entre elles la taille des triangles change trop vite</translation>
   </message>
   <message>
+   <source>invalid faces of the shape were taken as they are</source>
+   <translation>les faces invalides de la forme ont été prises telles quelles</translation>
+  </message>
+  <message>
    <source>let Gmsh make them</source>
    <translation>les faire faire par Gmsh</translation>
   </message>

@@ -208,6 +208,25 @@ class Errors(PartTest):
         self.doc.recompute()
         self.assertIn("no faces", quads.Base.getStatusString())
 
+    def test_invalid_faces_are_refused_and_with_repair_meshed_as_they_are(self):
+        corner = "\n10 20 30\n"
+        text = Part.makeBox(10, 20, 30).exportBrepToString()
+        self.assertIn(corner, text)
+        broken = self.doc.addObject("Part::Feature", "Broken")
+        shape = Part.Shape()
+        shape.importBrepFromString(text.replace(corner, "\n10 20 30.001\n"))  # a vertex off its edges
+        broken.Shape = shape
+        quads = anisoquad.make_quad_mesh(self.doc, base=broken, sources=["Edge1"], anisotropy=2, options=anisoquad.Options(size=3.0))
+        self.doc.recompute()
+        self.assertIn("invalid faces: Face2, Face4, Face6", quads.getStatusString())
+        self.assertEqual(quads.FemMesh.FaceCount, 0)
+        quads.Repair = True
+        self.doc.recompute()
+        self.assertEqual(quads.getStatusString(), "Valid")
+        self.assertEqual(quads.FemMesh.FaceCount, quads.FemMesh.QuadrangleCount)
+        self.assertGreater(quads.FemMesh.QuadrangleCount, 100)
+        self.assertIn("invalid faces of the shape were taken as they are: Face2, Face4, Face6", json.loads(quads.Report)["warnings"])
+
     def test_a_source_on_an_edge_that_is_not_there(self):
         box = self.doc.addObject("Part::Box", "Box")
         self.doc.recompute()

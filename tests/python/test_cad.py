@@ -137,6 +137,17 @@ class Command(unittest.TestCase):
         self.assertIn("FACE1", text)
         self.assertIn("EDGE1", text)
 
+    def test_repair_takes_invalid_faces_as_they_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            broken, out, report = (Path(folder) / name for name in ("broken.brep", "out.vtu", "report.json"))
+            broken.write_text(TUBE.read_text().replace("\n10 -2.44929359829471e-15 30\n", "\n10.001 0 30\n"))  # a vertex off its edges
+            run = self.run_command(broken, out, "--size", 4)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn("invalid faces", run.stderr)
+            run = self.run_command(broken, out, "--size", 4, "--repair", "--report", report)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(any("taken as they are: Face" in warning for warning in json.loads(report.read_text())["warnings"]))
+
     def test_bad_input_ends_with_2_and_one_line(self):
         for arguments in ((TUBE, "--source-edges", 9), (TUBE, "--source-edges", "1,x"), (DATA / "missing.step",),
                           (DATA / "wing_delta.off", "--source-edges", 1), (TUBE, "--passes", "2")):

@@ -53,7 +53,7 @@ class MeshJob:
     def run(self, progress=None):
         """Mesh; returns a MeshRun. Raises MeshError, and Cancelled when progress(stage, fraction) returned False."""
         points, triangles, sources = self.straightened()
-        surface = self.shape.surface(points, triangles) if self.shape else None
+        surface = self.shape.surface(points, triangles, check=not self.options.repair) if self.shape else None
         mesh = quad_mesh(points, triangles, sources, self.options, progress, surface)
         if len(points) > len(self.points):  # what the imprint added is not a point of the user's mesh
             mesh = replace(mesh, node_input=np.where(mesh.node_input < len(self.points), mesh.node_input, -1).astype(np.int32))
@@ -74,7 +74,7 @@ class MeshJob:
         points, triangles, sources = self.straightened()
         options = Options(**{name: getattr(self.options, name) for name in Options.fields})
         options.cleanup, options.smoothing_passes = False, 0
-        surface = self.shape.surface(points, triangles) if self.shape else None
+        surface = self.shape.surface(points, triangles, check=not self.options.repair) if self.shape else None
         return row_edges(quad_mesh(points, triangles, sources, options, progress, surface))
 
     def straightened(self):

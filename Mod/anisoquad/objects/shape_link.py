@@ -24,10 +24,14 @@ class ShapeLink:
         """Differs when the shape does."""
         return f"ShapeLink({len(self.brep)}, {zlib.crc32(self.brep.encode()):08x}, {self.smooth_angle!r})"
 
-    def surface(self, points, triangles):
-        """The CadSurface of triangles of this shape. Raises MeshError when they do not belong together, or the shape is invalid."""
+    def surface(self, points, triangles, check=True):
+        """The CadSurface of triangles of this shape. Raises MeshError when they do not belong together.
+
+        check -- reject a shape with faces in which OpenCASCADE finds errors, too
+        """
         shape = self._triangulated() if self.tessellation else CadShape.from_brep(self.brep, self.name, check=False)
-        shape.check()
+        if check:
+            shape.check()
         return CadSurface(shape, points, triangles, join_smooth=self.smooth_angle)
 
     def triangles(self):

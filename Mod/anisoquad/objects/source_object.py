@@ -70,7 +70,7 @@ class SourceObject(properties.SavedByProperties):
     def _on_edges(obj, points, triangles):
         shape, names = obj.Edges
         if is_triangles_of(obj.Base, shape) and has_cad():
-            return link_to(shape, tessellation=tessellation_of(obj.Base)).surface(points, triangles).path(names, reverse=obj.Reverse)
+            return link_to(shape, tessellation=tessellation_of(obj.Base)).surface(points, triangles, check=False).path(names, reverse=obj.Reverse)
         path = vertices_on_edges(points, triangles, [shape.getSubObject(name) for name in names])
         return path[::-1] if obj.Reverse else path
 

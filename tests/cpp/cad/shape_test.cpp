@@ -59,6 +59,7 @@ TEST(CadShape, RejectsWhatHasNoFaces) {
 
 TEST(CheckShape, NamesInvalidFaces) {
     EXPECT_NO_THROW(check_shape(shapes::box()));
+    EXPECT_TRUE(invalid_faces(shapes::box()).empty());
     // A wire whose edges cross each other bounds no face.
     BRepBuilderAPI_MakeWire wire;
     const gp_Pnt a(0, 0, 0), b(1, 1, 0), c(1, 0, 0), d(0, 1, 0);
@@ -73,6 +74,7 @@ TEST(CheckShape, NamesInvalidFaces) {
         EXPECT_EQ(error.kind(), ElementKind::cad_face);
         EXPECT_EQ(error.ids(), std::vector<std::int32_t>{0});
         EXPECT_NE(std::string(error.what()).find("Face1"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("repair"), std::string::npos);
     }
 }
 
