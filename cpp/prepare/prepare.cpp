@@ -39,7 +39,6 @@ constexpr double kMostRefinement = 8.0;   ///< of the edges along a source
 constexpr double kWidthOverHeight =
     1.5;  ///< of the columns along a source, before any merge, over the height of rows at its ends
 constexpr double kFinestSource = 1.0 / 64.0;  ///< least edges along a source for the rows at its ends, over the largest size
-constexpr double kShortForShape = 0.5;        ///< edges of lines over those wanted: the line's shape has made them so short
 constexpr double kStepAtLine = 1.8;  ///< line edges this much longer than wanted spread the remeshing to the patch behind them
 
 bool is_asked(const Options& options) { return options.size > 0.0 || !options.vertex_size.empty(); }
