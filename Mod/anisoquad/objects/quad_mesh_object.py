@@ -12,7 +12,7 @@ from .base_mesh import base_signature
 from .mesh_job import MeshJob
 from .mesh_run import MeshRun
 from .option_properties import add_options
-from .recompute_run import run_in_recompute
+from .recompute_run import run_in_recompute, told_briefly
 from .report_properties import add_report, show_report
 from .stored_result import unpack
 from .undo_observer import observe
@@ -60,6 +60,7 @@ class QuadMeshObject(properties.SavedByProperties):
         # Node coordinates are those of the world, and a placement would be applied twice after reload.
         properties.hide(obj, "BaseSignature", "QuadData", "SchemaVersion", "Placement")
 
+    @told_briefly
     def execute(self, obj):
         """Mesh the base. On an error, and when Esc stops it, the old mesh stays, and the object's status says what is wrong."""
         try:

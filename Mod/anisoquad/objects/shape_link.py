@@ -41,12 +41,13 @@ class ShapeLink:
 
     def _triangulated(self):
         key = (self.brep, self.name, self.tessellation)
-        if key not in _last:
+        shape = _last.get(key)
+        if shape is None:
             shape = CadShape.from_brep(self.brep, self.name, check=False)
             shape.triangulate(*self.tessellation)
-            _last.clear()
+            _last.clear()  # another thread may have put its own there
             _last[key] = shape
-        return _last[key]
+        return shape
 
 
 def shape_of(obj):

@@ -10,6 +10,7 @@ from ..translation import QT_TRANSLATE_NOOP
 from . import properties
 from .base_mesh import base_arrays
 from .part_edges import vertices_on_edges
+from .recompute_run import told_briefly
 from .shape_link import link_to
 from .triangles_object import is_triangles_of, tessellation_of
 
@@ -50,6 +51,7 @@ class SourceObject(properties.SavedByProperties):
             obj.SchemaVersion = SCHEMA_VERSION
         properties.hide(obj, "Points", "SchemaVersion")
 
+    @told_briefly
     def execute(self, obj):
         """Find the line on the base mesh, and measure it. Raises MeshError for ids that the mesh does not have."""
         if obj.Base is None:

@@ -7,7 +7,7 @@ from ..cad import has_cad
 from ..errors import MeshError
 from ..translation import QT_TRANSLATE_NOOP
 from . import properties
-from .recompute_run import run_in_recompute
+from .recompute_run import run_in_recompute, told_briefly
 
 SCHEMA_VERSION = 2
 
@@ -50,6 +50,7 @@ class TrianglesObject(properties.SavedByProperties):
             obj.SchemaVersion = SCHEMA_VERSION
         properties.hide(obj, "SchemaVersion")
 
+    @told_briefly
     def execute(self, obj):
         """Tessellate. Raises MeshError when there is no shape, and when Gmsh is missing, fails, or is stopped by Esc; the old mesh stays then."""
         if obj.Triangulator == "Gmsh":
