@@ -69,6 +69,7 @@ class Prepare {
                 field.assign(mesh_, hint_, kept_edges(), vertex_bounds(), context_);
                 if (redistribute_lines() == 0 || sweep > 0) break;
             }
+            if (sweep == 0) bound_by_shape();
             // Where a line's shape asks for shorter edges than the field, the triangles beside it grow from these.
             const std::vector<char> lines = line_edges();
             field.assign(mesh_, hint_, lines, vertex_bounds(), context_);
@@ -163,13 +164,21 @@ class Prepare {
         return (is_ridge ? kRidgeSagitta : kLineSagitta) * input_.reference.diagonal();
     }
 
-    /// Edges that the shape of one of the input's lines keeps short: other lines that meet it there grow from them.
-    void bound_by_shape(const LineNodes& chain, std::vector<double>& bounds) const {
+    /// Edges that the shape of one of the input's lines keeps short: other lines that meet it there grow from them. To be asked
+    /// once, when the lines are as coarse as they can be: what is split later for their sake must not ask for more.
+    void bound_by_shape() {
+        shape_bound_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
+        for (const LineNodes& chain : chains_) {
+            if (!input_.lines[static_cast<std::size_t>(chain.line)].is_ridge) bound_by_shape(chain);
+        }
+    }
+
+    void bound_by_shape(const LineNodes& chain) {
         const double deviation = line_deviation(chain);
         for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
             if (input_.reference_lines.deviation(chain.line, chain.ways[i - 1], chain.ways[i + 1]) <= deviation) continue;
             const double length = 0.5 * (chain.ways[i + 1] - chain.ways[i - 1]);
-            for (std::size_t k = i - 1; k <= i + 1; ++k) bound(bounds, chain.nodes[k], length);
+            for (std::size_t k = i - 1; k <= i + 1; ++k) bound(shape_bound_, chain.nodes[k], length);
         }
     }
 
@@ -180,10 +189,8 @@ class Prepare {
 
     /// Per vertex: bound of the size for the shape of lines, and on sources with rows; 0 = none.
     std::vector<double> vertex_bounds() const {
-        std::vector<double> bounds(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
-        for (const LineNodes& chain : chains_) {
-            if (!input_.lines[static_cast<std::size_t>(chain.line)].is_ridge) bound_by_shape(chain, bounds);
-        }
+        std::vector<double> bounds = shape_bound_;
+        bounds.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0.0);
         if (source_bound_.empty()) return bounds;
         for (const LineNodes& chain : chains_) {
             if (!is_source(chain)) continue;
@@ -308,6 +315,7 @@ class Prepare {
     std::vector<LineNodes> chains_;
     std::vector<std::int32_t> hint_;
     std::vector<double> vertex_size_;
+    std::vector<double> shape_bound_;   ///< per vertex, where a line's shape keeps its edges short; 0 = none
     std::vector<double> source_bound_;  ///< per source, of the edges along it; empty: no source has rows
 };
 
