@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "cad/path_edges.h"
 #include "cad/link_mesh.h"
+#include "cad/path_edges.h"
 #include "cad/shape.h"
 #include "surface/target_surface.h"
 

@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 
 constexpr double kAtVertex = 0.1;  ///< of the shortest edge at a mesh vertex: how far it may be off its CAD vertex
 constexpr std::size_t kSamples = 32;
-constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 

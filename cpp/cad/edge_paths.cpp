@@ -12,9 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
-constexpr double kExact = 1e-9;     ///< of the diagonal: of vertices of double precision
-constexpr double kBow = 0.6;        ///< largest distance of the curve from a mesh edge's middle, over the edge's length
+constexpr double kExact = 1e-9;  ///< of the diagonal: of vertices of double precision
+constexpr double kBow = 0.6;     ///< largest distance of the curve from a mesh edge's middle, over the edge's length
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -30,17 +29,15 @@ class Tracer {
     EdgePaths run(std::span<const EdgePath> known) {
         result_.paths.resize(shape_.edges().size());
         result_.at_vertex = find_corners(shape_, points_, neighbours_);
-        std::vector<char> is_known(shape_.edges().size(), 0);
         for (std::size_t e = 0; e < known.size(); ++e) {
-            is_known[e] = shape_.edges()[e].is_degenerated() || along_edges(known[e].vertices);
-            if (!is_known[e] || known[e].vertices.empty()) continue;
+            if (shape_.edges()[e].is_degenerated() || !along_edges(known[e].vertices)) continue;
             result_.paths[e] = known[e];
             result_.at_vertex[at(shape_.edges()[e].vertex[0])] = known[e].vertices.front();
             result_.at_vertex[at(shape_.edges()[e].vertex[1])] = known[e].vertices.back();
         }
         for (std::size_t e = 0; e < shape_.edges().size(); ++e) {
             const CadEdge& edge = shape_.edges()[e];
-            if (!is_known[e] && !edge.is_degenerated()) result_.paths[e] = find(edge);
+            if (result_.paths[e].vertices.empty() && !edge.is_degenerated()) result_.paths[e] = find(edge);
         }
         return std::move(result_);
     }

@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-6;  ///< of the diagonal: meshes may hold single precision
-
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// @throws Error{shape_mismatch} with the edges between faces that the mesh does not follow

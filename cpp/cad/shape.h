@@ -16,6 +16,8 @@
 /// OpenCASCADE behind the mesh: the exact shape of which the input's triangles are a triangulation.
 namespace anisoquad::cad {
 
+inline constexpr double kRounding = 1e-6;  ///< of a shape's diagonal: meshes may hold single precision
+
 /// One end of the range of a parameter, and whether the surface or curve comes round to its begin there.
 struct Range {
     double low = 0.0;

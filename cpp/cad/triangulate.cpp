@@ -22,7 +22,6 @@
 namespace anisoquad::cad {
 namespace {
 
-constexpr double kRounding = 1e-6;    ///< of the diagonal: meshes may hold single precision
 constexpr double kDeflection = 2e-4;  ///< of the diagonal; coarser ones leave too little of thin noses and small fillets
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }

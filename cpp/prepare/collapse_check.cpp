@@ -21,11 +21,9 @@ constexpr double kLeastCosine = 0.3;   ///< between a triangle before and after 
 
 Vector3d area_vector(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
 
-bool is_on_line(const SurfaceMesh& mesh, HalfEdge h) { return mesh.is_boundary(M::edge(h)) || mesh.info(M::edge(h)).line >= 0; }
-
 /// True where the triangle at h, which would go, is all that keeps two lines apart.
 bool joins_lines(const SurfaceMesh& mesh, HalfEdge h) {
-    return !mesh.is_boundary(h) && is_on_line(mesh, mesh.next(h)) && is_on_line(mesh, mesh.prev(h));
+    return !mesh.is_boundary(h) && mesh.is_constrained(M::edge(mesh.next(h))) && mesh.is_constrained(M::edge(mesh.prev(h)));
 }
 
 /// The middles of the new edges and triangles, against the surface of their patch.
