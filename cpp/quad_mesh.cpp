@@ -19,6 +19,7 @@
 #include "features/tips.h"
 #include "input/check.h"
 #include "input/repair.h"
+#include "input/slivers.h"
 #include "input/spatial_order.h"
 #include "mesh/arrays.h"
 #include "mesh/face_middle.h"
@@ -110,6 +111,7 @@ class Pipeline {
         check_feature_edges(mesh_, options_.feature_edges, order_.rank);
         context_.report(0.75);
         if (!order_.rank.empty()) put_ids_in_order();
+        if (!target_) turn_slivers_of_input();
         release(order_.rank);
         release(order_.triangle);
         context_.breathe();
@@ -225,6 +227,22 @@ class Pipeline {
         const std::vector<double> sizes = std::move(options_.vertex_size);
         options_.vertex_size.clear();
         for (const std::int32_t v : order_.vertex) options_.vertex_size.push_back(sizes[at(v)]);
+    }
+
+    void turn_slivers_of_input() {
+        std::vector<std::array<std::int32_t, 2>> kept = options_.feature_edges;
+        for (const Source& source : sources_) {
+            for (std::size_t i = 1; i < source.vertices.size(); ++i) kept.push_back({source.vertices[i - 1], source.vertices[i]});
+        }
+        const std::vector<Face> changed = turn_slivers(mesh_, kept);
+        for (const Face f : changed) {
+            auto& triangle = ordered_triangles_[at(f.index())];
+            std::size_t k = 0;
+            for (const HalfEdge h : mesh_.halfedges(f)) triangle[k++] = mesh_.from(h).index();
+        }
+        if (changed.empty()) return;
+        warn("the edges of " + std::to_string(changed.size()) + " triangles were turned because some were thinner than " +
+             length_text(kSliverHeight) + " of the diagonal");
     }
 
     std::int32_t input_vertex(std::int32_t v) const { return v < 0 || order_.vertex.empty() ? v : order_.vertex[at(v)]; }

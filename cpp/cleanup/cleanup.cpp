@@ -30,6 +30,7 @@ constexpr double kPoor = 0.25;         ///< scaled Jacobian of quads that are re
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
+constexpr Trial::Demands kFold{-20, 0.4, 0.01, 6.0, 0.0, 1.0, true};  ///< within hair-thin triangles nothing lies flat
 constexpr double kThorough = 0.8;  ///< share of what a quad lacks to be usable that its repair should make good
 constexpr double kSlim = 0.2;  ///< scaled Jacobian of quads that are worth a few irregular nodes if those make them much better
 constexpr Trial::Demands kRepairAtAPrice{-8, 0.4, 0.1, 6.0};
@@ -191,7 +192,9 @@ class Cleaner {
         const bool changed = change_round(f, kRepairAtAnyPrice);
         // What was mended may have been a neighbour.
         if (changed && (mesh_.is_deleted(f) || !mesh_.is_quad(f) || scaled_jacobian(mesh_, f) > Trial::kUpright)) return;
-        if (!inset(f, kRepairAtAnyPrice)) grow_round(f, kRepairAtAnyPrice);
+        if (inset(f, kRepairAtAnyPrice) || grow_round(f, kRepairAtAnyPrice)) return;
+        if (!mesh_.is_deleted(f) && mesh_.is_quad(f) && scaled_jacobian(mesh_, f) <= Trial::kUpright)
+            change_at_any_scale(f, kFold);
     }
 
     /// Almost flat quads that could not be repaired for nothing.

@@ -32,7 +32,8 @@ constexpr double kMoreAspectAtAPrice = 2.5;  ///< for one that is worth irregula
 constexpr double kLongestAspect = 3.0;       ///< stretched quads pass if there were such before
 constexpr double kMeanLoss = 0.03;           ///< the mean scaled Jacobian may fall by this, which the final smoothing makes good
 constexpr double kDistance = 5.1e-4;  ///< from the surface, over its diagonal, that passes in any case: more than project() lifts
-constexpr double kCountChange = 0.1;  ///< share of the quads that may come or go, so that sizes are kept
+constexpr double kDistanceUpright = 1.5e-3;  ///< the same for what leaves fewer inverted quads
+constexpr double kCountChange = 0.1;         ///< share of the quads that may come or go, so that sizes are kept
 
 }  // namespace
 
@@ -99,9 +100,10 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
 }
 
 bool Trial::is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const {
-    if (after.distance > std::max(before.distance, kDistance * reference_.diagonal())) return false;
+    const double distance = after.inverted < before.inverted ? kDistanceUpright : kDistance;
+    if (after.distance > std::max(before.distance, distance * reference_.diagonal())) return false;
     if (after.worst < std::min(before.worst, demands.bound) || after.inverted > before.inverted) return false;
-    if (after.folds > before.folds) return false;
+    if (after.folds > before.folds && !(demands.may_fold && after.inverted < before.inverted)) return false;
     if (demands.deficit > 0.0 && after.deficit > before.deficit - demands.deficit) return false;
     if (demands.nearer < 1.0)
         return after.distance <= demands.nearer * before.distance &&

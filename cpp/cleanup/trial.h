@@ -18,6 +18,7 @@ class Trial {
         double count_change = 2.0;  ///< quads that may come or go in any case
         double deficit = 0.0;       ///< > 0: what elements lack to be of use must fall by this in sum
         double nearer = 1.0;        ///< < 1: the distance from the surface must fall to this share of what it was
+        bool may_fold = false;  ///< neighbours may be turned by more than a right angle where that leaves fewer inverted quads
     };
 
     /// Scaled Jacobian up to which a quad is inverted, but for rounding, or has a corner of 180°.

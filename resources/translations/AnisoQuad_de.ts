@@ -756,6 +756,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>etwas liegt innerhalb der Reihe</translation>
   </message>
   <message>
+   <source>the edges of {} triangles were turned because some were thinner than {} of the diagonal</source>
+   <translation>die Kanten von {} Dreiecken wurden gedreht, weil einige dünner als {} der Diagonale waren</translation>
+  </message>
+  <message>
    <source>the end column reaches a corner of the feature lines</source>
    <translation>die Spalte am Ende erreicht eine Ecke der Merkmalslinien</translation>
   </message>

@@ -756,6 +756,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>hay algo dentro de la fila</translation>
   </message>
   <message>
+   <source>the edges of {} triangles were turned because some were thinner than {} of the diagonal</source>
+   <translation>se giraron las aristas de {} triángulos porque algunos eran más delgados que {} de la diagonal</translation>
+  </message>
+  <message>
    <source>the end column reaches a corner of the feature lines</source>
    <translation>la columna del extremo llega a una esquina de las líneas características</translation>
   </message>

@@ -756,6 +756,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>quelque chose se trouve dans la rangée</translation>
   </message>
   <message>
+   <source>the edges of {} triangles were turned because some were thinner than {} of the diagonal</source>
+   <translation>les arêtes de {} triangles ont été basculées parce que certains étaient plus minces que {} de la diagonale</translation>
+  </message>
+  <message>
    <source>the end column reaches a corner of the feature lines</source>
    <translation>la colonne du bout atteint un coin des lignes caractéristiques</translation>
   </message>

@@ -307,5 +307,38 @@ TEST(QuadMesh, BetweenLinesThatMeetAtASmallAngleNoCornerIsFlat) {
     }
 }
 
+/// A cube with a hair beside an edge: a sliver whose tip stands off the face by a rounding error, so that its normal is any.
+shapes::Shape cube_with_sliver() {
+    shapes::Shape shape = shapes::cube(6);
+    const auto point = [&](std::int32_t v) -> const Point& { return shape.points[static_cast<std::size_t>(v)]; };
+    for (auto& t : shape.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [a, b, c] = std::array{t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+            const Point along = point(b) - point(a);
+            if (point(a).z() < 6.0 || point(b).z() < 6.0 || point(c).z() < 6.0) continue;
+            if (point(a).y() > 0.0 || point(b).y() > 0.0 || along.x() == 0.0) continue;
+            const auto tip = static_cast<std::int32_t>(shape.points.size());
+            shape.points.push_back(point(a) + 0.5 * along + Point(0.0, 6e-6, 6e-6));
+            t = {a, b, tip};
+            shape.triangles.push_back({b, c, tip});
+            shape.triangles.push_back({c, a, tip});
+            return shape;
+        }
+    }
+    return shape;
+}
+
+TEST(QuadMesh, ASliverIsNoPatchOfItsOwn) {
+    const shapes::Shape shape = cube_with_sliver();
+    ASSERT_EQ(shape.points.size(), shapes::cube(6).points.size() + 1);
+    const QuadMeshResult result = meshed(shape);
+    EXPECT_EQ(result.report.patches, 6);
+    EXPECT_EQ(result.report.inverted, 0);
+    EXPECT_GT(result.report.scaled_jacobian.min, 0.3);
+    ASSERT_EQ(result.report.warnings.size(), 1U);
+    EXPECT_EQ(result.report.warnings.front(),
+              "the edges of 2 triangles were turned because some were thinner than 5e-05 of the diagonal");
+}
+
 }  // namespace
 }  // namespace anisoquad

@@ -1,0 +1,86 @@
+#include "input/slivers.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "mesh/euler_operators.h"
+
+namespace anisoquad {
+namespace {
+
+using M = SurfaceMesh;
+
+constexpr double kThin = 0.02;              ///< height over the longest edge
+constexpr double kShort = 0.05;             ///< shortest edge over the longest: below it the triangle may be one of a strip
+constexpr std::size_t kTurnsPerSliver = 4;  ///< one may make another of its neighbour, but not for ever
+
+double height(const Point& a, const Point& b, const Point& c) {
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return (b - a).cross(c - a).norm() / std::sqrt(longest);
+}
+
+/// The longest half-edge of a sliver; invalid for any other triangle.
+HalfEdge longest_of_sliver(const SurfaceMesh& mesh, Face f) {
+    HalfEdge longest;
+    double most = 0.0;
+    double least = 0.0;
+    for (const HalfEdge h : mesh.halfedges(f)) {
+        const double length = mesh.length(h);
+        if (!longest.is_valid() || length > most) {
+            longest = h;
+            most = length;
+        }
+        least = least > 0.0 ? std::min(least, length) : length;
+    }
+    if (least < kShort * most) return {};
+    const HalfEdge next = mesh.next(longest);
+    const double h = height(mesh.position(mesh.from(longest)), mesh.position(mesh.from(next)), mesh.position(mesh.to(next)));
+    return h < kSliverHeight && h < kThin * most ? longest : HalfEdge();
+}
+
+/// The two triangles get thicker, and face the way that the sliver's neighbour faces, whose normal is the surface's.
+bool is_better_turned(const SurfaceMesh& mesh, HalfEdge h) {
+    const HalfEdge g = M::twin(h);
+    const Point& a = mesh.position(mesh.from(h));
+    const Point& b = mesh.position(mesh.to(h));
+    const Point& c = mesh.position(mesh.to(mesh.next(h)));
+    const Point& r = mesh.position(mesh.to(mesh.next(g)));
+    if (std::min(height(a, r, c), height(r, b, c)) <= std::min(height(a, b, c), height(b, a, r))) return false;
+    const Point up = (a - b).cross(r - b);
+    return (r - a).cross(c - a).dot(up) > 0.0 && (b - r).cross(c - r).dot(up) > 0.0;
+}
+
+}  // namespace
+
+std::vector<Face> turn_slivers(SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> kept) {
+    std::vector<Face> waiting;
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (longest_of_sliver(mesh, Face(i)).is_valid()) waiting.push_back(Face(i));
+    }
+    std::vector<Face> changed;
+    if (waiting.empty()) return changed;
+    std::vector<std::array<std::int32_t, 2>> edges(kept.begin(), kept.end());
+    for (auto& edge : edges) std::sort(edge.begin(), edge.end());
+    std::sort(edges.begin(), edges.end());
+    const auto is_kept = [&](HalfEdge h) {
+        const auto [low, high] = std::minmax({mesh.from(h).index(), mesh.to(h).index()});
+        return std::binary_search(edges.begin(), edges.end(), std::array{low, high});
+    };
+    std::reverse(waiting.begin(), waiting.end());
+    for (std::size_t turns = kTurnsPerSliver * waiting.size(); turns > 0 && !waiting.empty();) {
+        const HalfEdge h = longest_of_sliver(mesh, waiting.back());
+        waiting.pop_back();
+        if (!h.is_valid() || is_kept(h) || !is_flip_ok(mesh, M::edge(h)) || !is_better_turned(mesh, h)) continue;
+        flip(mesh, M::edge(h));
+        --turns;
+        for (const Face f : {mesh.face(h), mesh.face(M::twin(h))}) {
+            changed.push_back(f);
+            waiting.push_back(f);
+        }
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+}
+
+}  // namespace anisoquad

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+
+namespace anisoquad {
+
+/// Height over the model's diagonal below which a triangle may be a sliver: half of the distance at which lines count as
+/// followed.
+inline constexpr double kSliverHeight = 5e-5;
+
+/// Turns the longest edge of slivers: triangles whose one corner lies on the edge between the other two, but for a hair. Their
+/// normals are those of rounding errors, so that features would run round each of them and leave patches without width. The
+/// surface moves by their height, feature lines to the two other edges. Edges of a boundary stay, and thin triangles with a short
+/// edge, which strips between two lines consist of.
+/// @param mesh triangles fresh from from_arrays(), of diagonal 1
+/// @param kept pairs of vertices whose edges stay
+/// @returns the faces that changed, each once, ascending; faces and vertices keep their handles
+std::vector<Face> turn_slivers(SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> kept);
+
+}  // namespace anisoquad
