@@ -230,11 +230,7 @@ class Pipeline {
     }
 
     void turn_slivers_of_input() {
-        std::vector<std::array<std::int32_t, 2>> kept = options_.feature_edges;
-        for (const Source& source : sources_) {
-            for (std::size_t i = 1; i < source.vertices.size(); ++i) kept.push_back({source.vertices[i - 1], source.vertices[i]});
-        }
-        const std::vector<Face> changed = turn_slivers(mesh_, kept);
+        const std::vector<Face> changed = turn_slivers(mesh_, 1.0, sources_, options_);
         for (const Face f : changed) {
             auto& triangle = ordered_triangles_[at(f.index())];
             std::size_t k = 0;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "mesh/euler_operators.h"
 
@@ -20,7 +22,7 @@ double height(const Point& a, const Point& b, const Point& c) {
 }
 
 /// The longest half-edge of a sliver; invalid for any other triangle.
-HalfEdge longest_of_sliver(const SurfaceMesh& mesh, Face f) {
+HalfEdge longest_of_sliver(const SurfaceMesh& mesh, double diagonal, Face f) {
     HalfEdge longest;
     double most = 0.0;
     double least = 0.0;
@@ -35,7 +37,7 @@ HalfEdge longest_of_sliver(const SurfaceMesh& mesh, Face f) {
     if (least < kShort * most) return {};
     const HalfEdge next = mesh.next(longest);
     const double h = height(mesh.position(mesh.from(longest)), mesh.position(mesh.from(next)), mesh.position(mesh.to(next)));
-    return h < kSliverHeight && h < kThin * most ? longest : HalfEdge();
+    return h < kSliverHeight * diagonal && h < kThin * most ? longest : HalfEdge();
 }
 
 /// The two triangles get thicker, and face the way that the sliver's neighbour faces, whose normal is the surface's.
@@ -50,25 +52,33 @@ bool is_better_turned(const SurfaceMesh& mesh, HalfEdge h) {
     return (r - a).cross(c - a).dot(up) > 0.0 && (b - r).cross(c - r).dot(up) > 0.0;
 }
 
+/// As pairs of vertices, the lower first, sorted.
+std::vector<std::array<std::int32_t, 2>> edges_of_user(std::span<const Source> sources, const Options& options) {
+    std::vector<std::array<std::int32_t, 2>> edges = options.feature_edges;
+    for (const Source& source : sources) {
+        for (std::size_t i = 1; i < source.vertices.size(); ++i) edges.push_back({source.vertices[i - 1], source.vertices[i]});
+    }
+    for (auto& edge : edges) std::sort(edge.begin(), edge.end());
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
 }  // namespace
 
-std::vector<Face> turn_slivers(SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> kept) {
+std::vector<Face> turn_slivers(SurfaceMesh& mesh, double diagonal, std::span<const Source> sources, const Options& options) {
     std::vector<Face> waiting;
-    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
-        if (longest_of_sliver(mesh, Face(i)).is_valid()) waiting.push_back(Face(i));
+    for (std::int32_t i = mesh.face_slots() - 1; i >= 0; --i) {
+        if (longest_of_sliver(mesh, diagonal, Face(i)).is_valid()) waiting.push_back(Face(i));
     }
     std::vector<Face> changed;
     if (waiting.empty()) return changed;
-    std::vector<std::array<std::int32_t, 2>> edges(kept.begin(), kept.end());
-    for (auto& edge : edges) std::sort(edge.begin(), edge.end());
-    std::sort(edges.begin(), edges.end());
+    const std::vector<std::array<std::int32_t, 2>> kept = edges_of_user(sources, options);
     const auto is_kept = [&](HalfEdge h) {
         const auto [low, high] = std::minmax({mesh.from(h).index(), mesh.to(h).index()});
-        return std::binary_search(edges.begin(), edges.end(), std::array{low, high});
+        return std::binary_search(kept.begin(), kept.end(), std::array{low, high});
     };
-    std::reverse(waiting.begin(), waiting.end());
     for (std::size_t turns = kTurnsPerSliver * waiting.size(); turns > 0 && !waiting.empty();) {
-        const HalfEdge h = longest_of_sliver(mesh, waiting.back());
+        const HalfEdge h = longest_of_sliver(mesh, diagonal, waiting.back());
         waiting.pop_back();
         if (!h.is_valid() || is_kept(h) || !is_flip_ok(mesh, M::edge(h)) || !is_better_turned(mesh, h)) continue;
         flip(mesh, M::edge(h));

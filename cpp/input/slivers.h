@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "mesh/surface_mesh.h"
+#include "options.h"
 
 namespace anisoquad {
 
@@ -17,9 +16,8 @@ inline constexpr double kSliverHeight = 5e-5;
 /// normals are those of rounding errors, so that features would run round each of them and leave patches without width. The
 /// surface moves by their height, feature lines to the two other edges. Edges of a boundary stay, and thin triangles with a short
 /// edge, which strips between two lines consist of.
-/// @param mesh triangles fresh from from_arrays(), of diagonal 1
-/// @param kept pairs of vertices whose edges stay
+/// @param mesh triangles fresh from from_arrays() @param diagonal of the model
 /// @returns the faces that changed, each once, ascending; faces and vertices keep their handles
-std::vector<Face> turn_slivers(SurfaceMesh& mesh, std::span<const std::array<std::int32_t, 2>> kept);
+std::vector<Face> turn_slivers(SurfaceMesh& mesh, double diagonal, std::span<const Source> sources, const Options& options);
 
 }  // namespace anisoquad

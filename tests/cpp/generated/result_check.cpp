@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "features/feature_lines.h"
+#include "input/flatness.h"
+#include "input/slivers.h"
 #include "mesh/validate.h"
 
 namespace anisoquad::generated {
@@ -127,6 +129,7 @@ class Checker {
 
     double length_of_lines(double change_of_angle) const {
         SurfaceMesh mesh = case_.shape.mesh();
+        turn_slivers(mesh, diagonal(case_.shape.points, case_.shape.triangles), case_.sources, case_.options);
         Options options = case_.options;
         options.feature_angle = std::min(180.0, options.feature_angle + change_of_angle);
         find_features(mesh, case_.sources, options);
