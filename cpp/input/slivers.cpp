@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <queue>
 
 #include "mesh/euler_operators.h"
 
@@ -21,23 +23,34 @@ double height(const Point& a, const Point& b, const Point& c) {
     return (b - a).cross(c - a).norm() / std::sqrt(longest);
 }
 
-/// The longest half-edge of a sliver; invalid for any other triangle.
-HalfEdge longest_of_sliver(const SurfaceMesh& mesh, double diagonal, Face f) {
+struct Sliver {
+    double height;
     HalfEdge longest;
+    Face face;
+
+    bool operator<(const Sliver& other) const {  // std::priority_queue takes the greatest first: the thinnest
+        return height != other.height ? height > other.height : face > other.face;
+    }
+};
+
+/// `longest` is invalid for any other triangle.
+Sliver sliver_of(const SurfaceMesh& mesh, double diagonal, Face f) {
+    Sliver sliver{0.0, {}, f};
     double most = 0.0;
-    double least = 0.0;
+    double least = std::numeric_limits<double>::infinity();
     for (const HalfEdge h : mesh.halfedges(f)) {
         const double length = mesh.length(h);
-        if (!longest.is_valid() || length > most) {
-            longest = h;
-            most = length;
-        }
-        least = least > 0.0 ? std::min(least, length) : length;
+        least = std::min(least, length);
+        if (length <= most) continue;
+        most = length;
+        sliver.longest = h;
     }
-    if (least < kShort * most) return {};
-    const HalfEdge next = mesh.next(longest);
-    const double h = height(mesh.position(mesh.from(longest)), mesh.position(mesh.from(next)), mesh.position(mesh.to(next)));
-    return h < kSliverHeight * diagonal && h < kThin * most ? longest : HalfEdge();
+    if (least < kShort * most) return {0.0, {}, f};
+    const HalfEdge h = sliver.longest;
+    const HalfEdge next = mesh.next(h);
+    sliver.height = height(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(next)));
+    if (!(sliver.height < kSliverHeight * diagonal && sliver.height < kThin * most)) sliver.longest = {};
+    return sliver;
 }
 
 /// The two triangles get thicker, and face the way that the sliver's neighbour faces, whose normal is the surface's.
@@ -66,10 +79,12 @@ std::vector<std::array<std::int32_t, 2>> edges_of_user(std::span<const Source> s
 }  // namespace
 
 std::vector<Face> turn_slivers(SurfaceMesh& mesh, double diagonal, std::span<const Source> sources, const Options& options) {
-    std::vector<Face> waiting;
-    for (std::int32_t i = mesh.face_slots() - 1; i >= 0; --i) {
-        if (longest_of_sliver(mesh, diagonal, Face(i)).is_valid()) waiting.push_back(Face(i));
-    }
+    std::priority_queue<Sliver> waiting;
+    const auto look_at = [&](Face f) {
+        const Sliver sliver = sliver_of(mesh, diagonal, f);
+        if (sliver.longest.is_valid()) waiting.push(sliver);
+    };
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) look_at(Face(i));
     std::vector<Face> changed;
     if (waiting.empty()) return changed;
     const std::vector<std::array<std::int32_t, 2>> kept = edges_of_user(sources, options);
@@ -78,14 +93,17 @@ std::vector<Face> turn_slivers(SurfaceMesh& mesh, double diagonal, std::span<con
         return std::binary_search(kept.begin(), kept.end(), std::array{low, high});
     };
     for (std::size_t turns = kTurnsPerSliver * waiting.size(); turns > 0 && !waiting.empty();) {
-        const HalfEdge h = longest_of_sliver(mesh, diagonal, waiting.back());
-        waiting.pop_back();
-        if (!h.is_valid() || is_kept(h) || !is_flip_ok(mesh, M::edge(h)) || !is_better_turned(mesh, h)) continue;
+        const Sliver sliver = waiting.top();
+        const HalfEdge h = sliver.longest;
+        waiting.pop();
+        const Sliver now = sliver_of(mesh, diagonal, sliver.face);
+        if (now.longest != h || now.height != sliver.height) continue;  // turned meanwhile
+        if (is_kept(h) || !is_flip_ok(mesh, M::edge(h)) || !is_better_turned(mesh, h)) continue;
         flip(mesh, M::edge(h));
         --turns;
         for (const Face f : {mesh.face(h), mesh.face(M::twin(h))}) {
             changed.push_back(f);
-            waiting.push_back(f);
+            look_at(f);
         }
     }
     std::sort(changed.begin(), changed.end());
