@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 #include "anisotropy/blend_ahead.h"
@@ -20,9 +21,8 @@
 #include "input/check.h"
 #include "input/repair.h"
 #include "input/slivers.h"
-#include "input/spatial_order.h"
+#include "input/working_input.h"
 #include "mesh/arrays.h"
-#include "mesh/face_middle.h"
 #include "mesh/validate.h"
 #include "parallel.h"
 #include "parts/in_parts.h"
@@ -33,7 +33,9 @@
 #include "qmorph/node_size.h"
 #include "qmorph/qmorph.h"
 #include "quality/measure.h"
-#include "release.h"
+#include "result/collect_result.h"
+#include "result/nearest_input.h"
+#include "result/stage_snapshot.h"
 #include "smoothing/final_smoothing.h"
 #include "smoothing/onto_target.h"
 #include "surface/reference_surface.h"
@@ -60,27 +62,6 @@ std::string length_text(double length) {
     return text.str();
 }
 
-/// Moves the model to the origin and gives it the size 1, so that nothing depends on where and how large it is.
-struct Frame {
-    Point centre = Point::Zero();
-    double scale = 1.0;
-
-    Frame(std::span<const Point> points, Triangles triangles) {
-        Point low = points[static_cast<std::size_t>(triangles[0][0])];
-        Point high = low;
-        for (const auto& t : triangles) {
-            for (const std::int32_t v : t) {
-                low = low.cwiseMin(points[static_cast<std::size_t>(v)]);
-                high = high.cwiseMax(points[static_cast<std::size_t>(v)]);
-            }
-        }
-        centre = 0.5 * (low + high);
-        scale = (high - low).norm();
-    }
-    Point in(const Point& p) const { return (p - centre) / scale; }
-    Point out(const Point& p) const { return centre + scale * p; }
-};
-
 /// The stages of one run, in order.
 class Pipeline {
   public:
@@ -98,51 +79,42 @@ class Pipeline {
         check_options(options_, points_.size());
         check_input(points_, triangles_, context_);
         context_.report(0.25);
-        const Frame frame(points_, triangles_);
-        if (!target_) put_triangles_in_order();
-        context_.breathe();
-        unit_points_.reserve(points_.size());
-        for (std::size_t i = 0; i < points_.size(); ++i)
-            unit_points_.push_back(frame.in(points_[at(input_vertex(static_cast<std::int32_t>(i)))]));
+        input_.emplace(points_, triangles_, target_ != nullptr, context_);
         context_.report(0.5);
-        mesh_ = from_arrays(unit_points_, triangles_, context_);
+        mesh_ = from_arrays(input_->points(), input_->triangles(), context_);
         context_.breathe();
-        check_sources(mesh_, sources_, order_.rank);
-        check_feature_edges(mesh_, options_.feature_edges, order_.rank);
+        check_sources(mesh_, sources_, input_->rank());
+        check_feature_edges(mesh_, options_.feature_edges, input_->rank());
         context_.report(0.75);
-        if (!order_.rank.empty()) put_ids_in_order();
+        input_->put_in_order(sources_, options_);
         if (!target_) turn_slivers_of_input();
-        release(order_.rank);
-        release(order_.triangle);
         context_.breathe();
         before_ = topology(mesh_);
         end();
 
         begin("features", 0.02, 0.05);
         std::vector<char> in_fold;
-        const std::vector<FeatureLine> lines = find_lines(frame, in_fold);
+        const std::vector<FeatureLine> lines = find_lines(in_fold);
         context_.report(0.3);
         const ReferenceLines reference_lines(mesh_, lines);
         tips_ = find_tips(mesh_);
         report().feature_lines = static_cast<std::int32_t>(lines.size());
         std::vector<std::int32_t> facet_patch;
         for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) facet_patch.push_back(mesh_.info(Face(f)).patch);
-        ReferenceSurface reference(unit_points_, triangles_, facet_patch, options_.feature_angle, context_);
+        ReferenceSurface reference(input_->points(), input_->triangles(), facet_patch, options_.feature_angle, context_);
         end();
 
         begin("prepare", 0.05, 0.1);
         std::vector<Source> sources = sources_;
-        const bool remeshed = prepare(
-            sources, {unit_points_, triangles_, reference, lines, reference_lines, frame.scale, in_fold, target_ != nullptr});
+        const bool remeshed = prepare(sources, {input_->points(), input_->triangles(), reference, lines, reference_lines,
+                                                input_->scale(), in_fold, target_ != nullptr});
         end();
-        if (remeshed) snapshot("prepare", frame);
+        if (remeshed) snapshot("prepare");
 
         begin("rows", 0.1, 0.25);
         assign_node_sizes(mesh_);
-        build_rows(sources, reference, frame, remeshed);
-        release(unit_points_);  // from here on the reference surface knows them
-        release(ordered_triangles_);
-        triangles_ = {};
+        build_rows(sources, reference, remeshed);
+        input_->release_arrays();  // from here on the reference surface knows them
         end();
 
         begin("parity", 0.25, kPrepared);
@@ -157,7 +129,7 @@ class Pipeline {
         begin("fill", kPrepared, kFilled);
         fill(reference);
         end();
-        snapshot("fill", frame);
+        snapshot("fill");
 
         begin("clean-up", kFilled, kCleaned);
         if (options_.cleanup) clean_up_parts(reference);
@@ -165,23 +137,22 @@ class Pipeline {
 
         begin("smoothing", kCleaned, 0.95);
         if (target_) {
-            reference.set_target({target_, frame.centre, frame.scale});
+            reference.set_target({target_, input_->centre(), input_->scale()});
             move_onto_target(mesh_, reference, reference_lines);
         }
         smooth_and_repair(reference, reference_lines);
         if (target_) settle_on_target(reference, reference_lines);
         end();
-        snapshot("result", frame);
+        snapshot("result");
 
         begin("report", 0.95, 1.0);
-        finish(frame, reference);
-        if (target_) tell_input(reference, reference_lines);
+        finish(reference);
+        if (target_) find_nearest_input(mesh_, reference, reference_lines, result_);
         end();
         return std::move(result_);
     }
 
   private:
-    static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
     Report& report() { return result_.report; }
     void warn(const std::string& text) { report().warnings.push_back(text); }
 
@@ -201,47 +172,12 @@ class Pipeline {
 #endif
     }
 
-    /// From here on triangles_ and unit_points_ have the order in which neighbours are near each other in memory.
-    void put_triangles_in_order() {
-        order_ = spatial_order(points_, triangles_);
-        ordered_triangles_.reserve(triangles_.size());
-        for (const std::int32_t f : order_.triangle) {
-            const auto& [a, b, c] = triangles_[at(f)];
-            std::array<std::int32_t, 3> ordered{order_.rank[at(a)], order_.rank[at(b)], order_.rank[at(c)]};
-            std::rotate(ordered.begin(), std::min_element(ordered.begin(), ordered.end()), ordered.end());
-            ordered_triangles_.push_back(ordered);
-        }
-        triangles_ = ordered_triangles_;
-    }
-
-    /// The same for what the user gave by vertex ids.
-    void put_ids_in_order() {
-        for (Source& source : sources_) {
-            for (std::int32_t& v : source.vertices) v = order_.rank[at(v)];
-        }
-        for (auto& [a, b] : options_.feature_edges) {
-            a = order_.rank[at(a)];
-            b = order_.rank[at(b)];
-        }
-        if (options_.vertex_size.empty()) return;
-        const std::vector<double> sizes = std::move(options_.vertex_size);
-        options_.vertex_size.clear();
-        for (const std::int32_t v : order_.vertex) options_.vertex_size.push_back(sizes[at(v)]);
-    }
-
     void turn_slivers_of_input() {
-        const std::vector<Face> changed = turn_slivers(mesh_, 1.0, sources_, options_);
-        for (const Face f : changed) {
-            auto& triangle = ordered_triangles_[at(f.index())];
-            std::size_t k = 0;
-            for (const HalfEdge h : mesh_.halfedges(f)) triangle[k++] = mesh_.from(h).index();
-        }
-        if (changed.empty()) return;
-        warn("the edges of " + std::to_string(changed.size()) + " triangles were turned because some were thinner than " +
+        const std::size_t changed = input_->turn_slivers_of(mesh_, sources_, options_);
+        if (changed == 0) return;
+        warn("the edges of " + std::to_string(changed) + " triangles were turned because some were thinner than " +
              length_text(kSliverHeight) + " of the diagonal");
     }
-
-    std::int32_t input_vertex(std::int32_t v) const { return v < 0 || order_.vertex.empty() ? v : order_.vertex[at(v)]; }
 
     /// The invariants of every stage; a violation is an error of ours, not of the user.
     void check_invariants() const {
@@ -252,7 +188,7 @@ class Pipeline {
     }
 
     /// Feature lines and patches. Where triangles are to be remeshed, folds that would be lost become lines too.
-    std::vector<FeatureLine> find_lines(const Frame& frame, std::vector<char>& in_fold) {
+    std::vector<FeatureLine> find_lines(std::vector<char>& in_fold) {
         std::vector<FeatureLine> lines = find_features(mesh_, sources_, options_);
         context_.breathe();
         report().patches = find_patches(mesh_);
@@ -260,7 +196,7 @@ class Pipeline {
         if (target_) return lines;  // a CAD shape has borders of its faces there
         const std::vector<char> chosen = patches_to_remesh(mesh_, options_, 1.0);
         if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return lines;
-        const SizeRange range = size_range(unit_points_, triangles_, 1.0, frame.scale, options_);
+        const SizeRange range = size_range(input_->points(), input_->triangles(), 1.0, input_->scale(), options_);
         Ridges ridges = find_ridges(mesh_, chosen, {.width = kFoldWidth * range.largest});
         in_fold = std::move(ridges.in_fold);
         if (ridges.edges.empty()) return lines;
@@ -288,7 +224,7 @@ class Pipeline {
         return true;
     }
 
-    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, const Frame& frame, bool remeshed) {
+    void build_rows(std::span<const Source> sources, const ReferenceSurface& reference, bool remeshed) {
         if (std::all_of(sources.begin(), sources.end(), [](const Source& s) { return s.passes.empty(); })) return;
         // Sizes are those of the triangles in use.
         std::vector<Point> points;
@@ -300,13 +236,14 @@ class Pipeline {
             for (const auto& f : arrays.faces) triangles.push_back({f[0], f[1], f[2]});
             in_use = ReferenceSurface(points, triangles, {}, options_.feature_angle, context_);
         }
-        const LocalSize size = remeshed ? LocalSize(points, triangles, in_use) : LocalSize(unit_points_, triangles_, reference);
+        const LocalSize size =
+            remeshed ? LocalSize(points, triangles, in_use) : LocalSize(input_->points(), input_->triangles(), reference);
         const auto observe = [&](const std::string& stage) {
 #ifdef ANISOQUAD_VALIDATE
             stage_ = stage;
             if (stage.ends_with("merge")) check_invariants();
 #endif
-            snapshot(stage, frame);
+            snapshot(stage);
         };
         MultiPassResult rows = build_anisotropic_rows(mesh_, sources, size, reference, options_, observe, context_);
         report().passes = std::move(rows.passes);
@@ -364,63 +301,15 @@ class Pipeline {
             warn(std::to_string(result.inverted) + " quads are turned over by the surface to which they were brought");
     }
 
-    /// For each quad and line edge the input's element near its middle.
-    void tell_input(const ReferenceSurface& reference, const ReferenceLines& lines) {
-        std::int32_t hint = -1;
-        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
-            const Face f(i);
-            if (mesh_.is_deleted(f)) continue;
-            result_.quad_facet.push_back(reference.closest(face_middle(mesh_, f), mesh_.info(f).patch, hint).facet);
-            hint = result_.quad_facet.back();
-        }
-        for (std::int32_t e = 0; e < mesh_.edge_slots(); ++e) {
-            if (mesh_.is_deleted(Edge(e)) || mesh_.info(Edge(e)).line < 0) continue;
-            const HalfEdge h = SurfaceMesh::halfedge(Edge(e));
-            const Point middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
-            result_.line_edge_input.push_back(lines.closest_edge(mesh_.info(Edge(e)).line, middle).edge);
-        }
+    void snapshot(const std::string& name) {
+        if (options_.record_stages) result_.stages.push_back(snapshot_of(mesh_, *input_, name));
     }
 
-    Point out(Vertex v, const Frame& frame) const {
-        const std::int32_t input = input_vertex(mesh_.info(v).input);
-        return input >= 0 ? points_[static_cast<std::size_t>(input)] : frame.out(mesh_.position(v));
-    }
-
-    void snapshot(const std::string& name, const Frame& frame) {
-        if (!options_.record_stages) return;
-        StageSnapshot stage;
-        stage.name = name;
-        MeshArrays arrays = to_arrays(mesh_);
-        for (const Vertex v : arrays.vertices) stage.points.push_back(out(v, frame));
-        stage.faces = std::move(arrays.faces);
-        for (const Face f : arrays.face_handles) stage.row.push_back(mesh_.info(f).row);
-        result_.stages.push_back(std::move(stage));
-    }
-
-    void finish(const Frame& frame, const ReferenceSurface& reference) {
+    void finish(const ReferenceSurface& reference) {
         measure(mesh_, reference, before_.euler_characteristic, report(), sources_, context_);
-        report().hausdorff *= frame.scale;
-        for (RowReport& row : report().rows) row.height_mean *= frame.scale;
-        MeshArrays arrays = to_arrays(mesh_);
-        for (const Vertex v : arrays.vertices) {
-            result_.points.push_back(out(v, frame));
-            result_.node_line.push_back(mesh_.info(v).line);
-            result_.node_input.push_back(input_vertex(mesh_.info(v).input));
-        }
-        result_.quads = std::move(arrays.faces);
-        for (const Face f : arrays.face_handles) {
-            const FaceInfo& info = mesh_.info(f);
-            result_.row.push_back(info.row);
-            result_.pass.push_back(info.pass);
-            result_.source.push_back(info.source);
-            result_.patch.push_back(info.patch);
-        }
-        for (std::int32_t e = 0; e < mesh_.edge_slots(); ++e) {
-            if (mesh_.is_deleted(Edge(e)) || mesh_.info(Edge(e)).line < 0) continue;
-            const HalfEdge h = SurfaceMesh::halfedge(Edge(e));
-            const auto point = [&](Vertex v) { return arrays.point_of_vertex[static_cast<std::size_t>(v.index())]; };
-            result_.line_edges.push_back({point(mesh_.from(h)), point(mesh_.to(h)), mesh_.info(Edge(e)).line});
-        }
+        report().hausdorff *= input_->scale();
+        for (RowReport& row : report().rows) row.height_mean *= input_->scale();
+        collect_result(mesh_, *input_, result_);
     }
 
     std::span<const Point> points_;  ///< as the user gave them
@@ -429,10 +318,8 @@ class Pipeline {
     Options options_;
     Context& context_;
     const TargetSurface* target_;
-    SpatialOrder order_;  ///< empty where the input's order is kept
-    std::vector<std::array<std::int32_t, 3>> ordered_triangles_;
+    std::optional<WorkingInput> input_;  ///< once the checks have passed
     SurfaceMesh mesh_;
-    std::vector<Point> unit_points_;
     std::vector<Tip> tips_;
     Topology before_;
     QuadMeshResult result_;

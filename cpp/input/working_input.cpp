@@ -1,0 +1,83 @@
+#include "input/working_input.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "input/slivers.h"
+#include "input/spatial_order.h"
+#include "release.h"
+
+namespace anisoquad {
+
+WorkingInput::WorkingInput(std::span<const Point> points, Triangles triangles, bool keep_order, const Context& context)
+    : points_(points), triangles_(triangles) {
+    Point low = points[at(triangles[0][0])];
+    Point high = low;
+    for (const auto& t : triangles) {
+        for (const std::int32_t v : t) {
+            low = low.cwiseMin(points[at(v)]);
+            high = high.cwiseMax(points[at(v)]);
+        }
+    }
+    centre_ = 0.5 * (low + high);
+    scale_ = (high - low).norm();
+    if (!keep_order) put_triangles_in_order();
+    context.breathe();
+    unit_points_.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        unit_points_.push_back((points[at(input_vertex(static_cast<std::int32_t>(i)))] - centre_) / scale_);
+}
+
+void WorkingInput::put_triangles_in_order() {
+    SpatialOrder order = spatial_order(points_, triangles_);
+    ordered_triangles_.reserve(triangles_.size());
+    for (const std::int32_t f : order.triangle) {
+        const auto& [a, b, c] = triangles_[at(f)];
+        std::array<std::int32_t, 3> ordered{order.rank[at(a)], order.rank[at(b)], order.rank[at(c)]};
+        std::rotate(ordered.begin(), std::min_element(ordered.begin(), ordered.end()), ordered.end());
+        ordered_triangles_.push_back(ordered);
+    }
+    triangles_ = ordered_triangles_;
+    vertex_ = std::move(order.vertex);
+    rank_ = std::move(order.rank);
+}
+
+void WorkingInput::put_in_order(std::vector<Source>& sources, Options& options) {
+    if (rank_.empty()) return;
+    for (Source& source : sources) {
+        for (std::int32_t& v : source.vertices) v = rank_[at(v)];
+    }
+    for (auto& [a, b] : options.feature_edges) {
+        a = rank_[at(a)];
+        b = rank_[at(b)];
+    }
+    release(rank_);
+    if (options.vertex_size.empty()) return;
+    const std::vector<double> sizes = std::move(options.vertex_size);
+    options.vertex_size.clear();
+    for (const std::int32_t v : vertex_) options.vertex_size.push_back(sizes[at(v)]);
+}
+
+std::size_t WorkingInput::turn_slivers_of(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options) {
+    assert(!vertex_.empty());
+    const std::vector<Face> changed = turn_slivers(mesh, 1.0, sources, options);
+    for (const Face f : changed) {
+        std::size_t k = 0;
+        for (const HalfEdge h : mesh.halfedges(f)) ordered_triangles_[at(f.index())][k++] = mesh.from(h).index();
+    }
+    return changed.size();
+}
+
+Point WorkingInput::place_of(const SurfaceMesh& mesh, Vertex v) const {
+    const std::int32_t input = input_vertex(mesh.info(v).input);
+    return input >= 0 ? points_[at(input)] : Point(centre_ + scale_ * mesh.position(v));
+}
+
+void WorkingInput::release_arrays() {
+    release(unit_points_);
+    release(ordered_triangles_);
+    triangles_ = {};
+}
+
+}  // namespace anisoquad
