@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "anisotropy/geodesic_trace.h"
+#include "anisotropy/put_node.h"
 #include "anisotropy/spread.h"
 #include "mesh/euler_operators.h"
 #include "prepare/remesh.h"
@@ -27,7 +28,6 @@ constexpr double kAhead = 1.3;             // heights that must be free even of 
 constexpr double kSlimmest = 6.0;          // height over width of one column
 constexpr double kSharpTurn = 0.5;         // radians by which the front turns at a corner
 constexpr double kLeastQuality = 0.25;     // scaled Jacobian of a row quad
-constexpr double kLeastTriangle = 0.01;    // quality of the triangles round a node that is put into the row
 constexpr double kEvenOut = 0.15;          // share of a column's displacement along the row that one row takes back
 constexpr double kMostLean = 0.5;          // of a column for that, per height
 constexpr double kFirstRow = 0.85;         // height of the first row over the local size: rows only get thicker
@@ -293,7 +293,7 @@ class RowBuilder {
             }
             const TraceEnd end = trace_geodesic(mesh_, into(i), angle_[i], way(i));
             if (end.blocked) return stop_at_node(i, "a boundary, a feature line or another row is too close ahead");
-            top_[i] = put_node(end, 0.3 * std::min(way(i), mesh_.length(into(i))));
+            top_[i] = put_node(mesh_, end, 0.3 * std::min(way(i), mesh_.length(into(i))));
             mesh_.info(top_[i]).in_row = true;  // from here on nothing else moves it
             placed_.push_back(top_[i]);
             std::int32_t hint = -1;
@@ -311,57 +311,6 @@ class RowBuilder {
             if (q < kLeastQuality) fits = stop_at_column(i, "a quad of the row would be too distorted");
         }
         return fits;
-    }
-
-    /// A node at the end of the trace: a free triangle node close by is moved there, else the triangle or its edge is split.
-    Vertex put_node(const TraceEnd& end, double reach) {
-        Vertex nearest;
-        double best = reach;
-        for (const HalfEdge h : mesh_.halfedges(end.face)) {
-            const Vertex v = mesh_.from(h);
-            const double distance = (at(v) - end.position).norm();
-            if (distance < best && is_free(v)) {
-                best = distance;
-                nearest = v;
-            }
-        }
-        if (nearest.is_valid()) {
-            const Point kept = at(nearest);
-            const Vector3d normal = node_normal(mesh_, nearest);
-            mesh_.position(nearest) = end.position;
-            if (worst_quality(mesh_, nearest, normal) > kLeastTriangle) {
-                mesh_.info(nearest).input = -1;
-                return nearest;
-            }
-            mesh_.position(nearest) = kept;
-        }
-        // Close to an edge: split it there, so that no sliver comes up.
-        for (const HalfEdge h : mesh_.halfedges(end.face)) {
-            const Vector3d along = at(mesh_.to(h)) - at(mesh_.from(h));
-            const Vector3d offset = end.position - at(mesh_.from(h));
-            const double t = along.dot(offset) / along.squaredNorm();
-            const double distance = (offset - t * along).norm();
-            if (distance > 0.1 * along.norm() || t < 0.05 || t > 0.95) continue;
-            if (is_front(mesh_, h) || is_front(mesh_, M::twin(h)) || mesh_.is_constrained(M::edge(h))) continue;
-            if (!mesh_.is_triangle(mesh_.face(M::twin(h)))) continue;
-            const Vertex v = split_edge(mesh_, M::edge(h), at(mesh_.from(h)) + t * along);
-            // Beside the edge all the same, where it can be: columns that jump to edges run ever more unevenly.
-            const Point foot = at(v);
-            const Vector3d normal = node_normal(mesh_, v);
-            mesh_.position(v) = end.position;
-            if (!(worst_quality(mesh_, v, normal) > kLeastTriangle)) mesh_.position(v) = foot;
-            return v;
-        }
-        return split_face(mesh_, end.face, end.position);
-    }
-
-    /// A triangle node that no front, line or row holds.
-    bool is_free(Vertex v) const {
-        if (!is_movable(mesh_, v) || std::find(top_.begin(), top_.end(), v) != top_.end()) return false;
-        for (const HalfEdge h : mesh_.outgoing(v)) {
-            if (!mesh_.is_triangle(mesh_.face(h))) return false;
-        }
-        return true;
     }
 
     bool recover(Vertex a, Vertex b) {
