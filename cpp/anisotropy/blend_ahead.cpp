@@ -13,7 +13,8 @@ namespace {
 
 using M = SurfaceMesh;
 
-constexpr double kGrowth = 0.5;  // of the size away from lines, whose nodes are fixed
+constexpr double kGrowth = 0.5;        // of the size away from lines
+constexpr double kGrowthAhead = 0.25;  // of the size away from the rows' front
 
 struct Raised {
     double size;
@@ -21,25 +22,34 @@ struct Raised {
     bool operator<(const Raised& other) const { return size != other.size ? size < other.size : v > other.v; }
 };
 
-/// Bounds the wanted size near feature lines, which keep their nodes, by their edges' length and a growth with distance.
-void limit_near_lines(SurfaceMesh& mesh, const std::vector<char>& zone) {
+/// Bounds the wanted size near the rows' front and near feature lines, whose nodes are fixed, by their edges' length and a growth
+/// with distance.
+/// @param on_front per vertex slot, nonzero for nodes of the rows' front
+/// @param zone nonzero where lines count; gets the nodes whose size the front bounds
+void limit_sizes(SurfaceMesh& mesh, const std::vector<char>& on_front, std::vector<char>& zone) {
     const auto smaller = [](const Raised& a, const Raised& b) { return b < a; };
     std::priority_queue<Raised, std::vector<Raised>, decltype(smaller)> queue(smaller);
+    std::vector<char> by_front = on_front;
     for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
         const Vertex v(i);
-        if (mesh.is_deleted(v) || mesh.info(v).kind == NodeKind::interior || !(mesh.info(v).size > 0.0) || mesh.info(v).in_row)
-            continue;
-        queue.push({mesh.info(v).size, v});
+        if (mesh.is_deleted(v) || !(mesh.info(v).size > 0.0)) continue;
+        const bool on_line = mesh.info(v).kind != NodeKind::interior && !mesh.info(v).in_row;
+        if (on_line || on_front[static_cast<std::size_t>(i)]) queue.push({mesh.info(v).size, v});
     }
     while (!queue.empty()) {
         const auto [size, v] = queue.top();
         queue.pop();
         if (size > mesh.info(v).size) continue;
+        const bool front = by_front[static_cast<std::size_t>(v.index())];
         for (const HalfEdge h : mesh.outgoing(v)) {
             const Vertex w = mesh.to(h);
-            const double allowed = size + kGrowth * mesh.length(h);
-            if (!zone[static_cast<std::size_t>(w.index())] || mesh.info(w).in_row || mesh.info(w).size <= allowed) continue;
+            const auto slot = static_cast<std::size_t>(w.index());
+            const double allowed = size + (front ? kGrowthAhead : kGrowth) * mesh.length(h);
+            if (mesh.info(w).in_row || mesh.info(w).size <= allowed) continue;
+            if (front ? mesh.info(w).kind != NodeKind::interior : !zone[slot]) continue;
             mesh.info(w).size = allowed;
+            by_front[slot] = front;
+            zone[slot] = 1;
             queue.push({allowed, w});
         }
     }
@@ -68,13 +78,14 @@ void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference, c
         mark(mesh.info(mesh.face(h)).patch);
         for (const Vertex v : {mesh.from(h), mesh.to(h)}) {
             if (mesh.info(v).kind != NodeKind::interior) continue;
-            if (mesh.length(h) > mesh.info(v).size || !zone[static_cast<std::size_t>(v.index())]) {
-                mesh.info(v).size = std::max(mesh.info(v).size, mesh.length(h));
-                queue.push({mesh.info(v).size, v});
-            }
-            zone[static_cast<std::size_t>(v.index())] = 1;
+            char& is_known = zone[static_cast<std::size_t>(v.index())];
+            if (is_known && mesh.length(h) <= mesh.info(v).size) continue;
+            is_known = 1;
+            mesh.info(v).size = mesh.length(h);
+            queue.push({mesh.info(v).size, v});
         }
     }
+    const std::vector<char> on_front = zone;
     // Largest first: every node gets the largest size that reaches it.
     while (!queue.empty()) {
         const auto [size, v] = queue.top();
@@ -84,13 +95,13 @@ void blend_ahead_of_rows(SurfaceMesh& mesh, const ReferenceSurface& reference, c
             if (!ahead(h) && !ahead(M::twin(h))) continue;
             const Vertex w = mesh.to(h);
             const double reaches = size - kFallOff * mesh.length(h);
-            if (reaches <= mesh.info(w).size || mesh.info(w).kind != NodeKind::interior) continue;
+            if (reaches <= mesh.info(w).size || mesh.info(w).kind != NodeKind::interior || mesh.info(w).in_row) continue;
             mesh.info(w).size = reaches;
             zone[static_cast<std::size_t>(w.index())] = 1;
             queue.push({reaches, w});
         }
     }
-    limit_near_lines(mesh, zone);
+    limit_sizes(mesh, on_front, zone);
     // Two rings more, where the rows left small triangles.
     for (int ring = 0; ring < 2; ++ring) {
         const std::vector<char> inner = zone;

@@ -73,6 +73,28 @@ TEST(BlendAhead, TrianglesAheadOfTheRowsBecomeAsLargeAsTheirEdges) {
     for (const Vertex v : vertices(p.mesh)) EXPECT_LE(p.mesh.info(v).size, 1.0001 * longest);
 }
 
+TEST(BlendAhead, SizesGrowSlowlyFromTheFrontWhereTheTrianglesAreLarger) {
+    WithRows p;
+    for (const Vertex v : vertices(p.mesh)) {
+        if (!p.mesh.info(v).in_row && p.mesh.info(v).kind == NodeKind::interior) p.mesh.info(v).size = 8.0;
+    }
+    double longest = 0.0;
+    double top = 0.0;
+    for (const HalfEdge h : front_of_rows(p.mesh)) {
+        longest = std::max(longest, p.mesh.length(h));
+        top = std::max(top, p.mesh.position(p.mesh.from(h)).y());
+    }
+    blend_ahead_of_rows(p.mesh, p.reference);
+    int ahead = 0;
+    for (const Vertex v : vertices(p.mesh)) {
+        const double way = p.mesh.position(v).y() - top;
+        if (p.mesh.info(v).kind != NodeKind::interior || way < 0.5 || way > 4.0) continue;
+        EXPECT_LE(p.mesh.info(v).size, longest + 0.25 * 1.5 * way) << way;
+        ++ahead;
+    }
+    EXPECT_GT(ahead, 10);
+}
+
 TEST(BlendAhead, RowsLinesAndWhatIsFarStay) {
     WithRows p;
     const SurfaceMesh before = p.mesh;
