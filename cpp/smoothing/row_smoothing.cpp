@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 constexpr double kLargestSlide = 0.25;   ///< of the way to the neighbour in the row, per move
 constexpr double kSmallestSlide = 1e-3;  ///< smaller slides are not worth a move
 constexpr double kSearchReach = 0.1;
-constexpr double kGoodRow = 0.8;  ///< scaled Jacobian above which an element may get worse for a straighter column
+constexpr double kMostLean = 0.35;  ///< offset over height up to which a column may be bent for the elements on top of the rows
+constexpr double kGoodRow = 0.8;    ///< scaled Jacobian above which an element may get worse for a straighter column
 
 /// A node of a row and its neighbours there; invalid where there is none.
 struct RowNode {
@@ -81,6 +82,18 @@ double row_direction(const SurfaceMesh& mesh, Vertex v, const RowNode& node, Vec
     const double to_left = node.left.is_valid() ? (p - left).norm() : (right - p).norm();
     const double to_right = node.right.is_valid() ? (right - p).norm() : to_left;
     return std::min(to_left, to_right);
+}
+
+/// Offset along the row over the height of the column's edges to the nodes below and above, the larger one.
+double lean(const SurfaceMesh& mesh, const RowNode& node, const Point& p, const Vector3d& direction) {
+    double most = 0.0;
+    for (const Vertex end : {node.below, node.above}) {
+        if (!end.is_valid()) continue;
+        const Vector3d edge = p - mesh.position(end);
+        const double along = edge.dot(direction);
+        most = std::max(most, std::abs(along) / (edge - along * direction).norm());
+    }
+    return most;
 }
 
 /// Brings a place near the node onto the surface.
@@ -149,11 +162,14 @@ bool slide_in_row(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference
     Vector3d direction;
     const double reach = row_direction(mesh, v, node, direction);
     double best = star.quality(star.centre()).worst;
+    const double most_lean = std::max(kMostLean, lean(mesh, node, star.centre(), direction));
     double slide = 0.0;
     for (double step = 0.5 * kSearchReach * reach; step > kSmallestSlide * reach;) {
         double found = slide;
         for (const double trial : {slide - step, slide + step}) {
-            if (std::abs(trial) > kSearchReach * reach) continue;
+            if (std::abs(trial) > kSearchReach * reach ||
+                lean(mesh, node, star.centre() + trial * direction, direction) > most_lean)
+                continue;
             const double worst = star.quality(star.centre() + trial * direction).worst;
             if (worst > best) {
                 best = worst;

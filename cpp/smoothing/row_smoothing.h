@@ -20,7 +20,8 @@ struct RowSmoothingResult {
 RowSmoothingResult smooth_rows(SurfaceMesh& mesh, const ReferenceSurface* reference, int sweeps = 5);
 
 /// Slides one node of a row along it to where the worst element round it is best, at most a tenth of the way to its neighbours
-/// in the row: for poor elements on top of the rows. @param hint as in move_node() @returns true if the node was moved
+/// in the row and without bending its column by more than 20°: for poor elements on top of the rows. @param hint as in
+/// move_node() @returns true if the node was moved
 bool slide_in_row(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, std::int32_t* hint = nullptr);
 
 }  // namespace anisoquad

@@ -123,5 +123,40 @@ TEST_P(Rows, SourceBoundaryAndFreeNodesStay) {
     }
 }
 
+/// An edge on top of the rows leans, and the node below it may slide after it.
+struct LeaningTop {
+    Grid g = rows_grid(&on_plane);
+    SurfaceMesh mesh = rows_mesh(g);
+    Vertex v = g.vertex(4, kRows - 1);
+
+    explicit LeaningTop(double lean) {
+        mesh.position(g.vertex(4, kRows)).x() += lean;
+    }
+    double worst() const {
+        double q = 1.0;
+        for (const HalfEdge h : mesh.outgoing(v)) q = std::min(q, scaled_jacobian(mesh, mesh.face(h)));
+        return q;
+    }
+    double offset() const { return mesh.position(v).x() - mesh.position(g.vertex(4, kRows - 2)).x(); }
+};
+
+TEST(SlideInRow, GoesToWhereTheWorstElementIsBest) {
+    LeaningTop top(0.05);
+    const double before = top.worst();
+    const double height = top.mesh.position(top.v).y();
+    EXPECT_TRUE(slide_in_row(top.mesh, top.v, nullptr));
+    EXPECT_GT(top.worst(), before);
+    EXPECT_GT(top.offset(), 0.0);
+    EXPECT_DOUBLE_EQ(top.mesh.position(top.v).y(), height);
+}
+
+TEST(SlideInRow, NeverBendsTheColumnFar) {
+    LeaningTop top(0.09);
+    for (int k = 0; k < 20; ++k) slide_in_row(top.mesh, top.v, nullptr);
+    const double row_height = kHeight * 1.2 * 1.2;
+    EXPECT_GT(top.offset(), 0.1 * row_height);
+    EXPECT_LE(top.offset(), 0.3501 * row_height);
+}
+
 }  // namespace
 }  // namespace anisoquad
