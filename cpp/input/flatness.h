@@ -23,18 +23,18 @@ inline constexpr double kNoArea = 1e-9;
 /// Longest edge over the model's diagonal up to which a facet is degenerate: beside the model it is a point.
 inline constexpr double kNoSize = 1e-12;
 
+/// Bounding box of the facets' corners; empty without facets. @pre indices in range
+inline Eigen::AlignedBox3d bounding_box(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles) {
+    Eigen::AlignedBox3d box;
+    for (const auto& t : triangles) {
+        for (const std::int32_t v : t) box.extend(points[static_cast<std::size_t>(v)]);
+    }
+    return box;
+}
+
 /// Diagonal of the bounding box of the facets' corners. @pre indices in range
 inline double diagonal(std::span<const Point> points, std::span<const std::array<std::int32_t, 3>> triangles) {
-    if (triangles.empty()) return 0.0;
-    Point low = points[static_cast<std::size_t>(triangles[0][0])];
-    Point high = low;
-    for (const auto& t : triangles) {
-        for (const std::int32_t v : t) {
-            low = low.cwiseMin(points[static_cast<std::size_t>(v)]);
-            high = high.cwiseMax(points[static_cast<std::size_t>(v)]);
-        }
-    }
-    return (high - low).norm();
+    return triangles.empty() ? 0.0 : bounding_box(points, triangles).diagonal().norm();
 }
 
 /// True for a facet on which no later stage could work. @param margin over both bounds, so that rounding does not decide

@@ -8,14 +8,16 @@
 #include <queue>
 
 #include "mesh/euler_operators.h"
+#include "mesh/flip_check.h"
 
 namespace anisoquad {
 namespace {
 
 using M = SurfaceMesh;
 
-constexpr double kThin = 0.02;              ///< height over the longest edge
-constexpr double kShort = 0.05;             ///< shortest edge over the longest: below it the triangle may be one of a strip
+constexpr double kThin = 0.02;     ///< height over the longest edge
+constexpr double kShort = 0.05;    ///< shortest edge over the longest: below it the triangle may be one of a strip
+constexpr double kAnyFold = -1.0;  ///< cosine between the new triangles: the sliver's normal says nothing of the old fold
 constexpr std::size_t kTurnsPerSliver = 4;  ///< one may make another of its neighbour, but not for ever
 
 double height(const Point& a, const Point& b, const Point& c) {
@@ -53,7 +55,7 @@ Sliver sliver_of(const SurfaceMesh& mesh, double diagonal, Face f) {
     return sliver;
 }
 
-/// The two triangles get thicker, and face the way that the sliver's neighbour faces, whose normal is the surface's.
+/// The two triangles get thicker, and face the way that the old ones face together, as the sliver's neighbour does.
 bool is_better_turned(const SurfaceMesh& mesh, HalfEdge h) {
     const HalfEdge g = M::twin(h);
     const Point& a = mesh.position(mesh.from(h));
@@ -61,8 +63,7 @@ bool is_better_turned(const SurfaceMesh& mesh, HalfEdge h) {
     const Point& c = mesh.position(mesh.to(mesh.next(h)));
     const Point& r = mesh.position(mesh.to(mesh.next(g)));
     if (std::min(height(a, r, c), height(r, b, c)) <= std::min(height(a, b, c), height(b, a, r))) return false;
-    const Point up = (a - b).cross(r - b);
-    return (r - a).cross(c - a).dot(up) > 0.0 && (b - r).cross(c - r).dot(up) > 0.0;
+    return flip_keeps_surface(mesh, M::edge(h), kAnyFold);
 }
 
 /// As pairs of vertices, the lower first, sorted.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "input/flatness.h"
 #include "input/slivers.h"
 #include "input/spatial_order.h"
 #include "release.h"
@@ -12,16 +13,9 @@ namespace anisoquad {
 
 WorkingInput::WorkingInput(std::span<const Point> points, Triangles triangles, bool keep_order, const Context& context)
     : points_(points), triangles_(triangles) {
-    Point low = points[at(triangles[0][0])];
-    Point high = low;
-    for (const auto& t : triangles) {
-        for (const std::int32_t v : t) {
-            low = low.cwiseMin(points[at(v)]);
-            high = high.cwiseMax(points[at(v)]);
-        }
-    }
-    centre_ = 0.5 * (low + high);
-    scale_ = (high - low).norm();
+    const Eigen::AlignedBox3d box = bounding_box(points, triangles);
+    centre_ = 0.5 * (box.min() + box.max());
+    scale_ = box.diagonal().norm();
     if (!keep_order) put_triangles_in_order();
     context.breathe();
     unit_points_.reserve(points.size());

@@ -129,9 +129,7 @@ struct LeaningTop {
     SurfaceMesh mesh = rows_mesh(g);
     Vertex v = g.vertex(4, kRows - 1);
 
-    explicit LeaningTop(double lean) {
-        mesh.position(g.vertex(4, kRows)).x() += lean;
-    }
+    explicit LeaningTop(double lean) { mesh.position(g.vertex(4, kRows)).x() += lean; }
     double worst() const {
         double q = 1.0;
         for (const HalfEdge h : mesh.outgoing(v)) q = std::min(q, scaled_jacobian(mesh, mesh.face(h)));
