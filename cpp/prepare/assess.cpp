@@ -7,6 +7,7 @@
 
 #include "mesh/area_vector.h"
 #include "prepare/triangle_shape.h"
+#include "quality/metrics.h"
 
 namespace anisoquad {
 namespace {
@@ -14,11 +15,15 @@ namespace {
 using M = SurfaceMesh;
 
 constexpr double kPoorShape = 0.2;
-constexpr double kPoorShare = 0.02;      ///< of a patch's triangles
-constexpr double kSteep = 0.35;          ///< change of the triangles' size per unit of way
-constexpr double kSteepShare = 0.1;      ///< of a patch's edges
-constexpr double kCoarseShare = 0.015;   ///< of a patch's edges
-constexpr std::int32_t kFewEdges = 100;  ///< fewer say nothing about a grading
+constexpr double kPoorShare = 0.02;        ///< of a patch's triangles
+constexpr double kUsablePair = 0.35;       ///< scaled Jacobian of the quad that two triangles make
+constexpr double kLonelyShare = 0.5;       ///< of a patch's triangles
+constexpr std::int32_t kFewTriangles = 8;  ///< in so small patches those at the corners, or all, have no other choice
+constexpr double kSteep = 0.35;            ///< change of the triangles' size per unit of way
+constexpr double kSteepShare = 0.1;        ///< of a patch's edges
+constexpr double kCoarseShare = 0.015;     ///< of a patch's edges
+constexpr double kNoPair = -2.0;           ///< quality of the pairs of a triangle without a neighbour in its patch
+constexpr std::int32_t kFewEdges = 100;    ///< fewer say nothing about a grading
 
 double size_at(const SurfaceMesh& mesh, Vertex v) {
     double area = 0.0;
@@ -39,6 +44,13 @@ double sagitta(double size, double length, const Eigen::Vector3d& left, const Ei
     if (!(l > 0.0) || !(r > 0.0)) return 0.0;
     const double turn = left.cross(right).norm() / (l * r);  // small: its sine
     return 0.25 * size * size * turn * length / (l + r);
+}
+
+/// Scaled Jacobian of the quad that the two triangles at the edge make.
+double pair_quality(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& normal) {
+    const HalfEdge g = M::twin(h);
+    return scaled_jacobian(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(g))), mesh.position(mesh.to(h)),
+                           mesh.position(mesh.to(mesh.next(h))), normal);
 }
 
 }  // namespace
@@ -62,6 +74,7 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curv
     std::vector<std::int32_t> steep(patches.size(), 0);
     std::vector<std::int32_t> sharp(patches.size(), 0);
     std::vector<std::int32_t> off(patches.size(), 0);
+    std::vector<double> best_pair(static_cast<std::size_t>(mesh.face_slots()), kNoPair);
     const double cosine = std::cos(curvature_angle * std::numbers::pi / 180.0);
     for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
         if (mesh.is_deleted(Edge(i)) || mesh.is_constrained(Edge(i))) continue;
@@ -76,9 +89,21 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curv
         const Eigen::Vector3d right = doubled_area_vector(mesh, mesh.face(M::twin(h)));
         sharp[patch] += left.dot(right) < cosine * left.norm() * right.norm();
         off[patch] += sagitta(0.5 * (from + to), length, left, right) > most_sagitta;
+        const double pair = pair_quality(mesh, h, left + right);
+        for (const Face f : {mesh.face(h), mesh.face(M::twin(h))}) {
+            double& best = best_pair[static_cast<std::size_t>(f.index())];
+            best = std::max(best, pair);
+        }
+    }
+    std::vector<std::int32_t> lonely(patches.size(), 0);
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
+        const double best = best_pair[static_cast<std::size_t>(i)];
+        if (best > kNoPair && best < kUsablePair) ++lonely[static_cast<std::size_t>(mesh.info(Face(i)).patch)];
     }
     for (std::size_t p = 0; p < patches.size(); ++p) {
-        patches[p].is_poor = patches[p].poor > kPoorShare * patches[p].triangles;
+        const bool is_fan = patches[p].triangles > kFewTriangles && lonely[p] > kLonelyShare * patches[p].triangles;
+        patches[p].is_poor = patches[p].poor > kPoorShare * patches[p].triangles || is_fan;
+        patches[p].poor = std::max(patches[p].poor, lonely[p]);
         patches[p].is_graded = edges[p] >= kFewEdges && steep[p] > kSteepShare * edges[p];
         const bool turns = edges[p] >= kFewEdges && sharp[p] > kCoarseShare * edges[p];
         patches[p].is_coarse = curvature_angle > 0.0 && (turns || off[p] > kCoarseShare * edges[p]);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "features/feature_lines.h"
 #include "features/patches.h"
 #include "mesh/arrays.h"
@@ -40,6 +43,32 @@ TEST(AssessPatches, LongThinTrianglesArePoor) {
     EXPECT_FALSE(good.is_poor);
     EXPECT_EQ(good.poor, 0);
     EXPECT_EQ(good.triangles, 2 * 24 * 40);
+}
+
+/// A disk of triangles round its middle, as the ends of cylinders are in STL files.
+Surface fan(int triangles) {
+    Surface s;
+    s.points.emplace_back(0.0, 0.0, 0.0);
+    for (int i = 0; i < triangles; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / triangles;
+        s.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+        s.triangles.push_back({0, i + 1, (i + 1) % triangles + 1});
+    }
+    return s;
+}
+
+TEST(AssessPatches, TrianglesThatMakeNoUsableQuadWithAnyNeighbourArePoor) {
+    const PatchAssessment thin = assess(fan(36));
+    EXPECT_TRUE(thin.is_poor);
+    EXPECT_EQ(thin.poor, 36);
+    EXPECT_FALSE(assess(fan(12)).is_poor);
+}
+
+TEST(AssessPatches, AFewTrianglesThatHaveNoChoiceAreNotPoor) {
+    Surface two;
+    two.points = {{0, 0, 0}, {1, -0.2, 0}, {1, 0.2, 0}, {1.8, 0.0, 0}};
+    two.triangles = {{0, 1, 2}, {1, 3, 2}};
+    EXPECT_FALSE(assess(two).is_poor);
 }
 
 TEST(AssessPatches, SteepGradingIsSeenAndAGentleOneIsNot) {
