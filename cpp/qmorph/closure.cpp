@@ -9,6 +9,7 @@
 #include "mesh/euler_operators.h"
 #include "qmorph/front.h"
 #include "quality/metrics.h"
+#include "smoothing/move_node.h"
 
 namespace anisoquad {
 namespace {
@@ -18,14 +19,16 @@ using Eigen::Vector3d;
 
 constexpr double kFlat = 0.5;      // length of a region's area vector over its area: below it no few quads can stand for it
 constexpr double kFolded = -0.3;   // what smoothing can still open
+constexpr double kPlane = 0.9;     // flatness of a region in which it can open any quad whose nodes are free
 constexpr double kDoubled = -2.0;  // a cut that would double an edge
 constexpr int kMostTries = 50;     // of the ways of a single triangle to another one
 
-/// False for what only its loop is small of: all of a closed surface but one quad.
-bool is_flat(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
+/// Length of the region's area vector over its area. Small for what only its loop is small of: all of a closed surface but one
+/// quad.
+double flatness(const SurfaceMesh& mesh, const std::vector<Face>& faces) {
     double area = 0.0;
     for (const Face f : faces) area += doubled_area_vector(mesh, f).norm();
-    return doubled_area_vector(mesh, faces).norm() > kFlat * area;
+    return area > 0.0 ? doubled_area_vector(mesh, faces).norm() / area : 0.0;
 }
 
 /// Six edges: cut by one of three diagonals into two quads, or three spokes from a new node to every other node.
@@ -307,7 +310,7 @@ class Finish {
 
 }  // namespace
 
-bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
+bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length, bool spirals) {
     static thread_local std::vector<Face> faces;
     if (length == 4) {
         std::array<HalfEdge, 4> loop;
@@ -316,10 +319,13 @@ bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
             h = next_front(mesh, h);
         }
         const auto v = [&](std::size_t i) { return mesh.from(loop[i]); };
-        if (mesh.has_face_on(v(0), v(1), v(2), v(3)) || !collect_region(mesh, loop, faces) || !is_flat(mesh, faces)) return false;
+        if (mesh.has_face_on(v(0), v(1), v(2), v(3)) || !collect_region(mesh, loop, faces)) return false;
+        const double flat = flatness(mesh, faces);
+        if (flat <= kFlat) return false;
         const auto p = [&](std::size_t i) -> const Point& { return mesh.position(mesh.from(loop[i])); };
         const double q = scaled_jacobian(p(0), p(1), p(2), p(3), doubled_area_vector(mesh, faces));
-        if (q < kFolded) return false;
+        const auto is_free = [&](HalfEdge k) { return is_movable(mesh, mesh.from(k)); };
+        if (q < kFolded && !(spirals && flat > kPlane && std::all_of(loop.begin(), loop.end(), is_free))) return false;
         replace_region(mesh, loop, faces);
         return true;
     }
@@ -329,7 +335,7 @@ bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length) {
             k = h;
             h = next_front(mesh, h);
         }
-        return collect_region(mesh, loop, faces) && is_flat(mesh, faces) && close_six(mesh, loop, faces);
+        return collect_region(mesh, loop, faces) && flatness(mesh, faces) > kFlat && close_six(mesh, loop, faces);
     }
     return false;
 }

@@ -101,7 +101,7 @@ class QMorph {
 
     void advance(HalfEdge h) {
         const int length = loop_length(mesh_, h, 6);
-        if ((length == 4 || length == 6) && close_small_loop(mesh_, h, length)) {
+        if ((length == 4 || length == 6) && close_small_loop(mesh_, h, length, spirals(h))) {
             ++result_.closed_loops;
             return;
         }
@@ -127,6 +127,15 @@ class QMorph {
         EdgeState& s = state(h);
         if (++s.tries >= kTries) ++result_.failed_edges;
         push(h);
+    }
+
+    /// Each quad follows on the last one: the edges of a small loop differ in level.
+    bool spirals(HalfEdge h) {
+        const std::int32_t level = state(h).level;
+        for (HalfEdge k = next_front(mesh_, h); k != h; k = next_front(mesh_, k)) {
+            if (state(k).level != level) return true;
+        }
+        return false;
     }
 
     bool try_seam(HalfEdge h) {

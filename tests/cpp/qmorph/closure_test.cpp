@@ -97,6 +97,34 @@ TEST(Closure, AFoldedQuadIsNotMade) {
     EXPECT_EQ(triangle_count(p.mesh), 2);
 }
 
+/// Four quads round a dart of two triangles.
+Prepared dart() {
+    shapes::Shape shape;
+    shape.points = {{0, 1, 0}, {-1, -1, 0}, {0, 0.5, 0}, {1, -1, 0}, {0, 3, 0}, {-3, -3, 0}, {0, -1, 0}, {3, -3, 0}};
+    shape.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 1}, {4, 1, 0}, {5, 6, 1},
+                       {6, 2, 1}, {6, 7, 3}, {6, 3, 2}, {7, 4, 0}, {7, 0, 3}};
+    Prepared p(shape);
+    for (const auto& [a, b] : {std::array{4, 1}, {6, 1}, {6, 3}, {7, 0}}) dissolve_edge(p.mesh, M::edge(edge(p.mesh, a, b)));
+    return p;
+}
+
+TEST(Closure, WhereTheFrontSpiralsAFoldedQuadIsMade) {
+    Prepared p = dart();
+    EXPECT_FALSE(close_small_loop(p.mesh, edge(p.mesh, 0, 1), 4));
+    EXPECT_TRUE(close_small_loop(p.mesh, edge(p.mesh, 0, 1), 4, true));
+    EXPECT_EQ(triangle_count(p.mesh), 0);
+    expect_sound(p);
+}
+
+TEST(Closure, NoFoldedQuadIsMadeThatSmoothingCanNotOpen) {
+    Prepared bent = dart();
+    bent.mesh.position(Vertex(2)).z() = 2.0;
+    EXPECT_FALSE(close_small_loop(bent.mesh, edge(bent.mesh, 0, 1), 4, true));
+    Prepared held = dart();
+    held.mesh.info(Vertex(2)).kind = NodeKind::line;
+    EXPECT_FALSE(close_small_loop(held.mesh, edge(held.mesh, 0, 1), 4, true));
+}
+
 TEST(FinishRemaining, NeighboursArePairedBestFirst) {
     Prepared p(shapes::grid(5, 4));
     const FinishResult result = finish_remaining(p.mesh);
