@@ -26,13 +26,13 @@ constexpr std::size_t kLeastWork = 2000;
 constexpr std::size_t kTriesPerPoor = 50;  ///< the same for the repair of poor quads
 constexpr std::size_t kWorkPerPoor = 1000;
 constexpr std::size_t kMostPoor = 40;  ///< quads for which there are such tries: a mesh with more is hopeless for other reasons
-constexpr double kPoor = 0.25;         ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
+constexpr double kPoor = 0.35;         ///< scaled Jacobian of quads that are repaired even if no irregularity is gained
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
 constexpr Trial::Demands kFold{-20, 0.4, 0.01, 6.0, 0.0, 1.0, true};  ///< within hair-thin triangles nothing lies flat
 constexpr double kThorough = 0.8;  ///< share of what a quad lacks to be usable that its repair should make good
-constexpr double kSlim = 0.2;  ///< scaled Jacobian of quads that are worth a few irregular nodes if those make them much better
+constexpr double kSlim = 0.3;  ///< scaled Jacobian of quads that are worth a few irregular nodes if those make them much better
 constexpr Trial::Demands kRepairAtAPrice{-8, 0.4, 0.1, 6.0};
 constexpr double kFar = 1.2e-3;  ///< distance from the surface, over its diagonal, of quads that are repaired
 constexpr double kBent = 0.9;    ///< cosine of the turn to a neighbour below which quads may be far

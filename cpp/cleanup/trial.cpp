@@ -20,13 +20,13 @@ constexpr int kMostEdges = 16;       ///< of a node that is optimised: the hub o
 constexpr int kMeanSweeps = 10;      ///< plain averaging of the new nodes, which untangles convex outlines
 constexpr int kSweeps = 3;           ///< guarded
 constexpr double kPoor = 0.7;        ///< scaled Jacobian below which a node's place is optimised
-constexpr double kBad = 0.25;        ///< scaled Jacobian
+constexpr double kGoodEnough = 0.4;  ///< scaled Jacobian
 constexpr double kUseless = 0.05;    ///< scaled Jacobian
 constexpr double kAnyAspect = 20.0;  ///< for the repair of what is useless
 constexpr double kAspectOfSlivers =
     1e6;  ///< for the repair of what is inverted: between lines that meet at a small angle all is slim
 constexpr double kMadeUseful = 0.01;         ///< gain of the scaled Jacobian that counts as repair where it was useless
-constexpr double kRepaired = 0.1;            ///< gain of the scaled Jacobian that counts as repair
+constexpr double kRepaired = 0.1;            ///< fall of the lack that counts as repair
 constexpr double kMoreAspect = 1.5;          ///< for a repair
 constexpr double kMoreAspectAtAPrice = 2.5;  ///< for one that is worth irregular nodes
 constexpr double kLongestAspect = 3.0;       ///< stretched quads pass if there were such before
@@ -87,6 +87,7 @@ Trial::Quality Trial::quality(std::span<const Face> faces) const {
         result.worst = std::min(result.worst, judged);
         result.inverted += judged <= kUpright ? 1 : 0;
         result.deficit += std::max(0.0, kUseless - judged);
+        result.lack += std::max(0.0, kGoodEnough - judged);
         result.mean += q / static_cast<double>(faces.size());
         result.aspect = std::max(result.aspect, aspect_ratio(p[0], p[1], p[2], p[3]));
         result.distance = std::max(result.distance, middle.distance);
@@ -112,10 +113,12 @@ bool Trial::is_acceptable(const Quality& before, const Quality& after, const Dem
     // The count comes first: either alone would let two changes undo each other for ever.
     const bool fewer_useless =
         after.inverted != before.inverted ? after.inverted < before.inverted : after.deficit <= before.deficit - kMadeUseful;
-    if (demands.improvement > 0.0 && !fewer_useless && after.worst < before.worst + demands.improvement) return false;
-    // Where the worst was hardly usable, its repair is worth stretched quads; where it was not at all, any.
+    if (demands.improvement > 0.0 && !fewer_useless && after.worst < before.worst + demands.improvement &&
+        after.lack > before.lack - demands.improvement)
+        return false;
+    // The repair of what is hardly usable is worth stretched quads; of what is not usable at all, any.
     if (fewer_useless) return after.aspect <= std::max(before.aspect, before.worst > kUpright ? kAnyAspect : kAspectOfSlivers);
-    if (before.worst < kBad && after.worst > before.worst + kRepaired) {
+    if (after.lack <= before.lack - kRepaired) {
         const double more = demands.gain < 0 ? kMoreAspectAtAPrice : kMoreAspect;
         return after.aspect <= more * std::max(before.aspect, kLongestAspect);
     }

@@ -14,7 +14,7 @@ class Trial {
     struct Demands {
         int gain = 1;               ///< least fall of the irregularity
         double bound = 0.4;         ///< scaled Jacobian: the worst element may fall to it
-        double improvement = 0.0;   ///< > 0: the worst element must get better by this, or those that are useless in sum
+        double improvement = 0.0;   ///< > 0: the worst element must get better by this, or in sum those that lack something
         double count_change = 2.0;  ///< quads that may come or go in any case
         double deficit = 0.0;       ///< > 0: what elements lack to be of use must fall by this in sum
         double nearer = 1.0;        ///< < 1: the distance from the surface must fall to this share of what it was
@@ -49,6 +49,7 @@ class Trial {
         int inverted = 0;       ///< elements that are turned over or have a corner of 180°
         int folds = 0;          ///< see count_folds()
         double deficit = 0.0;   ///< sum of what elements lack to be of use
+        double lack = 0.0;      ///< sum of what elements lack to be good enough
         double aspect = 1.0;    ///< largest ratio of longest to shortest edge
         double distance = 0.0;  ///< of the quads' middles and edges from the surface
     };
