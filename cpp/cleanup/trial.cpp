@@ -18,7 +18,7 @@ using M = SurfaceMesh;
 
 constexpr int kMostEdges = 16;       ///< of a node that is optimised: the hub of a fan would cost more than all else together
 constexpr int kMeanSweeps = 10;      ///< plain averaging of the new nodes, which untangles convex outlines
-constexpr int kSweeps = 3;           ///< guarded
+constexpr int kSweeps = 6;           ///< guarded: insets between lines need them
 constexpr double kPoor = 0.7;        ///< scaled Jacobian below which a node's place is optimised
 constexpr double kGoodEnough = 0.4;  ///< scaled Jacobian
 constexpr double kUseless = 0.05;    ///< scaled Jacobian
