@@ -46,13 +46,6 @@ double sagitta(double size, double length, const Eigen::Vector3d& left, const Ei
     return 0.25 * size * size * turn * length / (l + r);
 }
 
-/// Scaled Jacobian of the quad that the two triangles at the edge make.
-double pair_quality(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& normal) {
-    const HalfEdge g = M::twin(h);
-    return scaled_jacobian(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(g))), mesh.position(mesh.to(h)),
-                           mesh.position(mesh.to(mesh.next(h))), normal);
-}
-
 }  // namespace
 
 std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curvature_angle, double most_sagitta) {
@@ -89,7 +82,7 @@ std::vector<PatchAssessment> assess_patches(const SurfaceMesh& mesh, double curv
         const Eigen::Vector3d right = doubled_area_vector(mesh, mesh.face(M::twin(h)));
         sharp[patch] += left.dot(right) < cosine * left.norm() * right.norm();
         off[patch] += sagitta(0.5 * (from + to), length, left, right) > most_sagitta;
-        const double pair = pair_quality(mesh, h, left + right);
+        const double pair = scaled_jacobian_of_pair(mesh, h);
         for (const Face f : {mesh.face(h), mesh.face(M::twin(h))}) {
             double& best = best_pair[static_cast<std::size_t>(f.index())];
             best = std::max(best, pair);

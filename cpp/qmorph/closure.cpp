@@ -103,16 +103,6 @@ class Finish {
         Edge edge;
     };
 
-    double quality_of(Edge e) const {
-        const HalfEdge h = M::halfedge(e);
-        const HalfEdge g = M::twin(h);
-        const Point& a = mesh_.position(mesh_.from(h));
-        const Point& b = mesh_.position(mesh_.to(mesh_.next(g)));
-        const Point& c = mesh_.position(mesh_.to(h));
-        const Point& d = mesh_.position(mesh_.to(mesh_.next(h)));
-        return scaled_jacobian(a, b, c, d);
-    }
-
     bool joins_triangles(Edge e) const {
         if (mesh_.is_deleted(e) || mesh_.is_constrained(e)) return false;
         const HalfEdge h = M::halfedge(e);
@@ -127,7 +117,7 @@ class Finish {
     void pair_neighbours() {
         std::vector<Pair> pairs;
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
-            if (joins_triangles(Edge(i))) pairs.push_back({quality_of(Edge(i)), Edge(i)});
+            if (joins_triangles(Edge(i))) pairs.push_back({scaled_jacobian_of_pair(mesh_, M::halfedge(Edge(i))), Edge(i)});
         }
         std::sort(pairs.begin(), pairs.end(),
                   [](const Pair& a, const Pair& b) { return a.quality != b.quality ? a.quality > b.quality : a.edge < b.edge; });

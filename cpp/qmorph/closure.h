@@ -9,9 +9,8 @@ namespace anisoquad {
 /// Closes a front loop of four edges with one quad, of six edges with two or three quads (the best template by the smallest
 /// scaled Jacobian).
 /// @param h an edge of the loop; @param length number of its edges
-/// @param spirals the front goes round and round in the loop: four edges are closed even with a folded quad, if smoothing can
-/// open
-///        it, as its nodes are free and the surface is flat there; what would follow is a spiral of ever smaller quads
+/// @param spirals the front goes round and round in the loop: four edges are closed even with a folded quad where smoothing
+///        can open it, with free nodes and on flat ground; what would follow is a spiral of ever smaller quads
 /// @returns false, and nothing changed, if the loop does not bound a disk of triangles or every template would be folded
 bool close_small_loop(SurfaceMesh& mesh, HalfEdge h, int length, bool spirals = false);
 

@@ -29,8 +29,7 @@ int start_closed_components(SurfaceMesh& mesh) {
                 }
                 const HalfEdge g = M::twin(h);
                 if (!has_front) {  // else no seed is wanted
-                    const double q = scaled_jacobian(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(g))),
-                                                     mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h))));
+                    const double q = scaled_jacobian_of_pair(mesh, h);
                     if (q > best_quality) {
                         best_quality = q;
                         best = M::edge(h);

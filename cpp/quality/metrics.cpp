@@ -127,4 +127,10 @@ double scaled_jacobian(const SurfaceMesh& mesh, Face f, const Vector3d& normal) 
     return scaled_jacobian(a, b, c, d, normal);
 }
 
+double scaled_jacobian_of_pair(const SurfaceMesh& mesh, HalfEdge h) {
+    const HalfEdge g = SurfaceMesh::twin(h);
+    return scaled_jacobian(mesh.position(mesh.from(h)), mesh.position(mesh.to(mesh.next(g))), mesh.position(mesh.to(h)),
+                           mesh.position(mesh.to(mesh.next(h))));
+}
+
 }  // namespace anisoquad

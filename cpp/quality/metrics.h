@@ -15,6 +15,8 @@ constexpr double kLeastUpright = 1e-6;
 /// axes) says which side is up, so a quad that is turned over as a whole counts as good. −1…1, 0 when an edge has no length.
 double scaled_jacobian(const Point& a, const Point& b, const Point& c, const Point& d);
 double scaled_jacobian(const SurfaceMesh& mesh, Face f);
+/// Of the quad that the two triangles at the edge of h make.
+double scaled_jacobian_of_pair(const SurfaceMesh& mesh, HalfEdge h);
 /// The same with respect to a given surface normal (any length but zero): a quad that is turned over is negative.
 double scaled_jacobian(const Point& a, const Point& b, const Point& c, const Point& d, const Eigen::Vector3d& normal);
 double scaled_jacobian(const SurfaceMesh& mesh, Face f, const Eigen::Vector3d& normal);
