@@ -19,6 +19,7 @@
 #include "features/small_patches.h"
 #include "features/tips.h"
 #include "input/check.h"
+#include "input/needles.h"
 #include "input/repair.h"
 #include "input/slivers.h"
 #include "input/working_input.h"
@@ -87,7 +88,7 @@ class Pipeline {
         check_feature_edges(mesh_, options_.feature_edges, input_->rank());
         context_.report(0.75);
         input_->put_in_order(sources_, options_);
-        if (!target_) turn_slivers_of_input();
+        if (!target_) mend_thin_triangles();
         context_.breathe();
         before_ = topology(mesh_);
         end();
@@ -172,7 +173,12 @@ class Pipeline {
 #endif
     }
 
-    void turn_slivers_of_input() {
+    void mend_thin_triangles() {
+        const int collapsed = input_->collapse_needles_of(mesh_, sources_, options_, context_);
+        if (collapsed > 0) {
+            warn(std::to_string(collapsed) + " edges were collapsed because they are shorter than " + length_text(kNeedleLength) +
+                 " of the diagonal");
+        }
         const std::size_t changed = input_->turn_slivers_of(mesh_, sources_, options_);
         if (changed == 0) return;
         warn("the edges of " + std::to_string(changed) + " triangles were turned because some were thinner than " +

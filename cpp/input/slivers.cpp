@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
 
+#include "input/named_edges.h"
 #include "mesh/euler_operators.h"
 #include "mesh/flip_check.h"
 
@@ -66,17 +66,6 @@ bool is_better_turned(const SurfaceMesh& mesh, HalfEdge h) {
     return flip_keeps_surface(mesh, M::edge(h), kAnyFold);
 }
 
-/// As pairs of vertices, the lower first, sorted.
-std::vector<std::array<std::int32_t, 2>> edges_of_user(std::span<const Source> sources, const Options& options) {
-    std::vector<std::array<std::int32_t, 2>> edges = options.feature_edges;
-    for (const Source& source : sources) {
-        for (std::size_t i = 1; i < source.vertices.size(); ++i) edges.push_back({source.vertices[i - 1], source.vertices[i]});
-    }
-    for (auto& edge : edges) std::sort(edge.begin(), edge.end());
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
 }  // namespace
 
 std::vector<Face> turn_slivers(SurfaceMesh& mesh, double diagonal, std::span<const Source> sources, const Options& options) {
@@ -88,18 +77,14 @@ std::vector<Face> turn_slivers(SurfaceMesh& mesh, double diagonal, std::span<con
     for (std::int32_t i = 0; i < mesh.face_slots(); ++i) look_at(Face(i));
     std::vector<Face> changed;
     if (waiting.empty()) return changed;
-    const std::vector<std::array<std::int32_t, 2>> kept = edges_of_user(sources, options);
-    const auto is_kept = [&](HalfEdge h) {
-        const auto [low, high] = std::minmax({mesh.from(h).index(), mesh.to(h).index()});
-        return std::binary_search(kept.begin(), kept.end(), std::array{low, high});
-    };
+    const NamedEdges named(sources, options);
     for (std::size_t turns = kTurnsPerSliver * waiting.size(); turns > 0 && !waiting.empty();) {
         const Sliver sliver = waiting.top();
         const HalfEdge h = sliver.longest;
         waiting.pop();
         const Sliver now = sliver_of(mesh, diagonal, sliver.face);
         if (now.longest != h || now.height != sliver.height) continue;  // turned meanwhile
-        if (is_kept(h) || !is_flip_ok(mesh, M::edge(h)) || !is_better_turned(mesh, h)) continue;
+        if (named.contains(mesh, h) || !is_flip_ok(mesh, M::edge(h)) || !is_better_turned(mesh, h)) continue;
         flip(mesh, M::edge(h));
         --turns;
         for (const Face f : {mesh.face(h), mesh.face(M::twin(h))}) {

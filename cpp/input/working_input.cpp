@@ -5,11 +5,26 @@
 #include <utility>
 
 #include "input/flatness.h"
+#include "input/needles.h"
 #include "input/slivers.h"
 #include "input/spatial_order.h"
+#include "mesh/arrays.h"
 #include "release.h"
 
 namespace anisoquad {
+namespace {
+
+std::array<std::int32_t, 3> nodes_of(const SurfaceMesh& mesh, Face triangle) {
+    const HalfEdge h = mesh.halfedge(triangle);
+    return {mesh.from(h).index(), mesh.to(h).index(), mesh.to(mesh.next(h)).index()};
+}
+
+std::array<std::int32_t, 3> lowest_first(std::array<std::int32_t, 3> triangle) {
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    return triangle;
+}
+
+}  // namespace
 
 WorkingInput::WorkingInput(std::span<const Point> points, Triangles triangles, bool keep_order, const Context& context)
     : points_(points), triangles_(triangles) {
@@ -28,9 +43,7 @@ void WorkingInput::put_triangles_in_order() {
     ordered_triangles_.reserve(triangles_.size());
     for (const std::int32_t f : order.triangle) {
         const auto& [a, b, c] = triangles_[at(f)];
-        std::array<std::int32_t, 3> ordered{order.rank[at(a)], order.rank[at(b)], order.rank[at(c)]};
-        std::rotate(ordered.begin(), std::min_element(ordered.begin(), ordered.end()), ordered.end());
-        ordered_triangles_.push_back(ordered);
+        ordered_triangles_.push_back(lowest_first({order.rank[at(a)], order.rank[at(b)], order.rank[at(c)]}));
     }
     triangles_ = ordered_triangles_;
     vertex_ = std::move(order.vertex);
@@ -53,13 +66,24 @@ void WorkingInput::put_in_order(std::vector<Source>& sources, Options& options) 
     for (const std::int32_t v : vertex_) options.vertex_size.push_back(sizes[at(v)]);
 }
 
+int WorkingInput::collapse_needles_of(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options,
+                                      const Context& context) {
+    assert(!vertex_.empty());
+    const int collapsed = collapse_needles(mesh, 1.0, sources, options);
+    if (collapsed == 0) return 0;
+    ordered_triangles_.clear();
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (!mesh.is_deleted(Face(i))) ordered_triangles_.push_back(lowest_first(nodes_of(mesh, Face(i))));
+    }
+    triangles_ = ordered_triangles_;
+    mesh = from_arrays(unit_points_, triangles_, context);
+    return collapsed;
+}
+
 std::size_t WorkingInput::turn_slivers_of(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options) {
     assert(!vertex_.empty());
     const std::vector<Face> changed = turn_slivers(mesh, 1.0, sources, options);
-    for (const Face f : changed) {
-        std::size_t k = 0;
-        for (const HalfEdge h : mesh.halfedges(f)) ordered_triangles_[at(f.index())][k++] = mesh.from(h).index();
-    }
+    for (const Face f : changed) ordered_triangles_[at(f.index())] = nodes_of(mesh, f);
     return changed.size();
 }
 

@@ -32,6 +32,12 @@ class WorkingInput {
     /// Vertex ids that the user gave become places, once; rank() is empty afterwards.
     void put_in_order(std::vector<Source>& sources, Options& options);
 
+    /// Collapses needles (input/needles.h) of the mesh, and takes the triangles that vanish out of both, so that the mesh is
+    /// fresh from from_arrays(points(), triangles()) again.
+    /// @param mesh, @pre as for turn_slivers_of()
+    /// @returns the number of edges that were collapsed
+    int collapse_needles_of(SurfaceMesh& mesh, std::span<const Source> sources, const Options& options, const Context& context);
+
     /// Turns slivers (input/slivers.h) of the mesh, and of the triangles with them.
     /// @param mesh fresh from from_arrays(points(), triangles()) @pre put_in_order(sources, options); the order was not kept
     /// @returns the number of triangles that changed

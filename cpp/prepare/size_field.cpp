@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double kLeastTurn = 1e-4;     ///< radians; less is rounding
 constexpr double kSizeAtRidge = 0.6;    ///< least size at a ridge over the largest
-constexpr double kOffRidge = 2.5;       ///< sagitta of elements beside a ridge over that of others
+constexpr double kOffRidge = 2.2;       ///< sagitta of elements beside a ridge over that of others
 constexpr double kLengthOfWidth = 3.0;  ///< longest edges along a narrow place over its width
 
 /// Height of the triangle of h over h.

@@ -14,6 +14,7 @@
 #include "smoothing/move_node.h"
 #include "smoothing/newton_step.h"
 #include "smoothing/optimisation.h"
+#include "smoothing/row_end_smoothing.h"
 #include "smoothing/row_smoothing.h"
 #include "smoothing/star.h"
 
@@ -284,6 +285,10 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
             now.min < last.min + kLeastGain && now.mean < last.mean + kLeastGain && now.inverted >= last.inverted;
         last = now;
         if (result.sweeps >= kFirstOfRows && (moves == 0 || at_rest)) break;
+    }
+    if (options.smoothing_passes > 0) {
+        result.moves += even_row_ends(mesh, reference, lines);
+        last = statistics(mesh);
     }
     result.min_after = last.min;
     result.mean_after = last.mean;

@@ -1,6 +1,7 @@
 #include "smoothing/line_smoothing.h"
 
 #include <array>
+#include <limits>
 
 #include "smoothing/pattern_search.h"
 #include "smoothing/star.h"
@@ -66,20 +67,21 @@ bool gather_on_line(const SurfaceMesh& mesh, Vertex v, Star& star) {
     return true;
 }
 
-/// Where on its stretch the node's star scores best, with edges that leave the line by no more than a deviation.
-/// @param from the node's place in space @returns `here` where no place is better
-double best_place(const Star& star, const ReferenceLines& lines, const LineStretch& s, double deviation, const Point& from) {
-    const double worst = star.quality(from).worst;
+/// Where on its stretch the node scores best, with edges that leave the line by no more than a deviation.
+/// @param score callable, place in space → double @param from the node's place in space
+/// @returns `here` where no place is better
+template <class Score>
+double best_place(const Score& score, const ReferenceLines& lines, const LineStretch& s, double deviation, const Point& from) {
     const double margin = kMargin * (s.high - s.low);
-    const double before = score(star, from);
+    const double before = score(from);
     double best = before;
     double place = s.here;
     for (double step = kFirstStep * (s.high - s.low); step >= kSmallestStep * (s.high - s.low);) {
         double found = place;
         for (const double trial : {place - step, place + step}) {
             if (trial < s.low + margin || trial > s.high - margin) continue;
-            const double value = score(star, lines.at(s.line, trial));
-            if (value <= best + kTie || star.quality(lines.at(s.line, trial)).worst < worst) continue;
+            const double value = score(lines.at(s.line, trial));
+            if (value <= best + kTie) continue;
             if (lines.deviation(s.line, s.low, trial) > deviation || lines.deviation(s.line, trial, s.high) > deviation) continue;
             best = value;
             found = trial;
@@ -88,6 +90,16 @@ double best_place(const Star& star, const ReferenceLines& lines, const LineStret
         place = found;
     }
     return best < before + kLeastGain ? s.here : place;
+}
+
+/// Where the node's star scores best and no element becomes worse than the worst one is.
+double best_place_of_star(const Star& star, const ReferenceLines& lines, const LineStretch& s, double deviation,
+                          const Point& from) {
+    const double worst = star.quality(from).worst;
+    const auto score_at = [&](const Point& p) {
+        return star.quality(p).worst < worst ? -std::numeric_limits<double>::infinity() : score(star, p);
+    };
+    return best_place(score_at, lines, s, deviation, from);
 }
 
 }  // namespace
@@ -133,7 +145,18 @@ bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
     if (!gather_on_line(mesh, v, star) || star.quality(star.centre()).worst >= Star::kPoor ||
         !find_stretch(mesh, v, lines, stretch))
         return false;
-    const double place = best_place(star, lines, stretch, kDeviation, star.centre());
+    const double place = best_place_of_star(star, lines, stretch, kDeviation, star.centre());
+    if (place == stretch.here) return false;
+    mesh.position(v) = lines.at(stretch.line, place);
+    mesh.info(v).input = -1;
+    return true;
+}
+
+bool slide_on_curve_towards(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines,
+                            const std::function<double(const Point&)>& score) {
+    LineStretch stretch;
+    if (!find_stretch(mesh, v, lines, stretch)) return false;
+    const double place = best_place(score, lines, stretch, kDeviation, mesh.position(v));
     if (place == stretch.here) return false;
     mesh.position(v) = lines.at(stretch.line, place);
     mesh.info(v).input = -1;
@@ -146,7 +169,7 @@ bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, c
     if (!gather_on_line(mesh, v, star) || !find_stretch(mesh, v, lines, stretch)) return false;
     const double deviation = std::max({kDeviation, lines.deviation(stretch.line, stretch.low, stretch.here),
                                        lines.deviation(stretch.line, stretch.here, stretch.high)});
-    const double place = best_place(star, lines, stretch, deviation, lines.at(stretch.line, stretch.here));
+    const double place = best_place_of_star(star, lines, stretch, deviation, lines.at(stretch.line, stretch.here));
     if (place == stretch.here) return false;
     const ReferenceLines::EdgePlace on = lines.edge_at(stretch.line, place);
     Point p = lines.at(stretch.line, place);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "features/reference_lines.h"
 #include "mesh/surface_mesh.h"
 #include "surface/target_surface.h"
@@ -16,6 +18,11 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v);
 /// the lower line do not face each other). The edges beside the node stay within 4e-5 of the model's size of the line.
 /// @param lines in the mesh's frame, in which the model's diagonal is 1
 bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines);
+
+/// The same, for any aim: to where score(place) is best.
+/// @param score what a place of the node is worth
+bool slide_on_curve_towards(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines,
+                            const std::function<double(const Point&)>& score);
 
 /// The same on a line of a target, for every node: exactly on the target's curve, and edges beside the node may leave the line as
 /// far as they do already.

@@ -800,6 +800,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>{} Kanten aufgetrennt</translation>
   </message>
   <message>
+   <source>{} edges were collapsed because they are shorter than {} of the diagonal</source>
+   <translation>{} Kanten wurden zusammengezogen, weil sie kürzer als {} der Diagonale sind</translation>
+  </message>
+  <message>
    <source>{} facet doubled dropped</source>
    <translation>{} doppelte Facette weggelassen</translation>
   </message>

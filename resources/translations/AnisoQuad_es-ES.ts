@@ -800,6 +800,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>{} aristas separadas</translation>
   </message>
   <message>
+   <source>{} edges were collapsed because they are shorter than {} of the diagonal</source>
+   <translation>{} aristas se contrajeron porque son más cortas que {} de la diagonal</translation>
+  </message>
+  <message>
    <source>{} facet doubled dropped</source>
    <translation>{} faceta doble descartada</translation>
   </message>

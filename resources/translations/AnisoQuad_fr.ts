@@ -800,6 +800,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>{} arêtes découpées</translation>
   </message>
   <message>
+   <source>{} edges were collapsed because they are shorter than {} of the diagonal</source>
+   <translation>{} arêtes ont été contractées car elles sont plus courtes que {} de la diagonale</translation>
+  </message>
+  <message>
    <source>{} facet doubled dropped</source>
    <translation>{} facette en double abandonnée</translation>
   </message>

@@ -13,6 +13,7 @@ import anisoquad
 
 PAPER = {1: 100, 2: 73, 3: 62, 4: 54, 5: 49, 6: 45, 8: 42, 16: 37}  # percent of the quads at 1:1
 SCALED_JACOBIAN_LIMIT = 0.3  # of the quads that do not fill a corner between feature lines whose angle alone keeps them below it
+SIZE_RATIO_LIMIT = 2.5  # area of neighbouring quads across the rows' end
 FIRST_ROW_LIMIT = 10.0  # aspect ratio at mid source, of 1:16
 
 
@@ -28,7 +29,7 @@ def measure(name, anisotropy):
 
 
 def main(name="wing_delta"):
-    print(f"{name}\n anisotropy   quads   % of 1:1   paper   triangles left   inverted   SJ min   elsewhere   SJ mean   first row   rows")
+    print(f"{name}\n anisotropy   quads   % of 1:1   paper   triangles left   inverted   SJ min   elsewhere   SJ mean   first row   rows   row end p95   max")
     failures = []
     isotropic = None
     for anisotropy, paper in PAPER.items():
@@ -39,11 +40,13 @@ def main(name="wing_delta"):
         jacobian = report["scaled_jacobian"]
         elsewhere = report["scaled_jacobian_min_elsewhere"]
         print(f"       1:{anisotropy:<3}{report['quads']:>8}{percent:>11.1f}{paper:>8}{report['triangles_left']:>17}"
-              f"{report['inverted']:>11}{jacobian['min']:>9.3f}{elsewhere:>12.3f}{jacobian['mean']:>10.3f}{first_row:>12.1f}{len(rows):>7}")
+              f"{report['inverted']:>11}{jacobian['min']:>9.3f}{elsewhere:>12.3f}{jacobian['mean']:>10.3f}{first_row:>12.1f}{len(rows):>7}"
+              f"{report['neighbour_area_ratio_p95']:>14.2f}{report['neighbour_area_ratio_max']:>6.2f}")
         checks = {
             f"more than {paper} % of its own 1:1": percent <= paper,
             "triangles or inverted quads left": mesh.valid,
             f"scaled Jacobian below {SCALED_JACOBIAN_LIMIT}": elsewhere >= SCALED_JACOBIAN_LIMIT,
+            f"size across the rows' end differs by more than {SIZE_RATIO_LIMIT}": report["neighbour_area_ratio_max"] <= SIZE_RATIO_LIMIT,
         }
         if anisotropy == 16:
             checks[f"first row's aspect ratio below {FIRST_ROW_LIMIT}"] = first_row >= FIRST_ROW_LIMIT

@@ -340,5 +340,34 @@ TEST(QuadMesh, ASliverIsNoPatchOfItsOwn) {
               "the edges of 2 triangles were turned because some were thinner than 5e-05 of the diagonal");
 }
 
+TEST(QuadMesh, TwoNodesAHairApartBecomeOne) {
+    shapes::Shape shape = shapes::cube(6);
+    // The upper face's middle becomes two points, with a needle on either side of their edge.
+    const auto middle =
+        static_cast<std::int32_t>(std::find(shape.points.begin(), shape.points.end(), Point(3, 3, 6)) - shape.points.begin());
+    ASSERT_LT(static_cast<std::size_t>(middle), shape.points.size());
+    const auto beside = static_cast<std::int32_t>(shape.points.size());
+    shape.points.emplace_back(3.0001, 3, 6);
+    std::vector<std::int32_t> above, below;  // neighbours of the middle in its column
+    for (auto& triangle : shape.triangles) {
+        if (std::find(triangle.begin(), triangle.end(), middle) == triangle.end()) continue;
+        double x = 0.0;
+        for (std::int32_t& v : triangle) {
+            const Point& p = shape.points[static_cast<std::size_t>(v)];
+            x += p.x() / 3.0;
+            if (v != middle && p.x() == 3) (p.y() > 3 ? above : below).push_back(v);
+        }
+        if (x > 3.0) std::replace(triangle.begin(), triangle.end(), middle, beside);
+    }
+    ASSERT_EQ(above.size(), 2U);
+    shape.triangles.push_back({middle, beside, above[0]});
+    shape.triangles.push_back({beside, middle, below[0]});
+    const QuadMeshResult result = meshed(shape);
+    EXPECT_EQ(result.report.inverted, 0);
+    EXPECT_GT(result.report.scaled_jacobian.min, 0.5);
+    ASSERT_EQ(result.report.warnings.size(), 1U);
+    EXPECT_EQ(result.report.warnings.front(), "1 edges were collapsed because they are shorter than 5e-05 of the diagonal");
+}
+
 }  // namespace
 }  // namespace anisoquad

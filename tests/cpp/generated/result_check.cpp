@@ -8,6 +8,7 @@
 
 #include "features/feature_lines.h"
 #include "input/flatness.h"
+#include "input/needles.h"
 #include "input/slivers.h"
 #include "mesh/validate.h"
 
@@ -129,13 +130,15 @@ class Checker {
 
     double length_of_lines(double change_of_angle) const {
         SurfaceMesh mesh = case_.shape.mesh();
-        turn_slivers(mesh, diagonal(case_.shape.points, case_.shape.triangles), case_.sources, case_.options);
+        const double size = diagonal(case_.shape.points, case_.shape.triangles);
+        collapse_needles(mesh, size, case_.sources, case_.options);
+        turn_slivers(mesh, size, case_.sources, case_.options);
         Options options = case_.options;
         options.feature_angle = std::min(180.0, options.feature_angle + change_of_angle);
         find_features(mesh, case_.sources, options);
         double sum = 0.0;
         for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {
-            if (mesh.info(Edge(e)).line >= 0) sum += mesh.length(Edge(e));
+            if (!mesh.is_deleted(Edge(e)) && mesh.info(Edge(e)).line >= 0) sum += mesh.length(Edge(e));
         }
         return sum;
     }

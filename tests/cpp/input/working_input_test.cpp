@@ -78,5 +78,28 @@ TEST(WorkingInput, TrianglesFollowSliversThatAreTurned) {
     }
 }
 
+/// A needle between two triangles, the square's upper right one and its lower left one.
+TEST(WorkingInput, TrianglesOfNeedlesAreTakenOut) {
+    shapes::Shape shape;
+    shape.points = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 5, 0}, {5 + 1e-5, 5, 0}};
+    shape.triangles = {{0, 1, 5}, {0, 5, 4}, {1, 2, 5}, {2, 4, 5}, {2, 3, 4}, {3, 0, 4}};
+    WorkingInput input(shape.points, shape.triangles, false, no_context());
+    SurfaceMesh mesh = from_arrays(input.points(), input.triangles());
+    std::vector<Source> sources;
+    Options options;
+    input.put_in_order(sources, options);
+    EXPECT_EQ(input.collapse_needles_of(mesh, sources, options, no_context()), 1);
+    ASSERT_EQ(input.triangles().size(), 4U);
+    ASSERT_EQ(mesh.face_slots(), 4);
+    EXPECT_EQ(input.points().size(), 6U) << "vertices keep their places";
+    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
+        const auto& triangle = input.triangles()[static_cast<std::size_t>(i)];
+        EXPECT_EQ(*std::min_element(triangle.begin(), triangle.end()), triangle[0]);
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(mesh.face(mesh.find_halfedge(Vertex(triangle[k]), Vertex(triangle[(k + 1) % 3]))), Face(i));
+    }
+    EXPECT_EQ(input.collapse_needles_of(mesh, sources, options, no_context()), 0);
+}
+
 }  // namespace
 }  // namespace anisoquad
