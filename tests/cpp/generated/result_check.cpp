@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "features/feature_lines.h"
-#include "input/flatness.h"
-#include "input/needles.h"
-#include "input/slivers.h"
+#include "input/working_input.h"
 #include "mesh/validate.h"
 
 namespace anisoquad::generated {
@@ -129,18 +127,20 @@ class Checker {
     }
 
     double length_of_lines(double change_of_angle) const {
-        SurfaceMesh mesh = case_.shape.mesh();
-        const double size = diagonal(case_.shape.points, case_.shape.triangles);
-        collapse_needles(mesh, size, case_.sources, case_.options);
-        turn_slivers(mesh, size, case_.sources, case_.options);
+        WorkingInput input(case_.shape.points, case_.shape.triangles, false, no_context());
+        SurfaceMesh mesh = from_arrays(input.points(), input.triangles());
+        std::vector<Source> sources = case_.sources;
         Options options = case_.options;
+        input.put_in_order(sources, options);
+        input.collapse_needles_of(mesh, sources, options, no_context());
+        input.turn_slivers_of(mesh, sources, options);
         options.feature_angle = std::min(180.0, options.feature_angle + change_of_angle);
-        find_features(mesh, case_.sources, options);
+        find_features(mesh, sources, options);
         double sum = 0.0;
         for (std::int32_t e = 0; e < mesh.edge_slots(); ++e) {
-            if (!mesh.is_deleted(Edge(e)) && mesh.info(Edge(e)).line >= 0) sum += mesh.length(Edge(e));
+            if (mesh.info(Edge(e)).line >= 0) sum += mesh.length(Edge(e));
         }
-        return sum;
+        return sum * input.scale();
     }
 
     const MeshCase& case_;
