@@ -20,6 +20,7 @@
 #include "features/tips.h"
 #include "input/check.h"
 #include "input/needles.h"
+#include "input/open_doubles.h"
 #include "input/repair.h"
 #include "input/slivers.h"
 #include "input/working_input.h"
@@ -88,6 +89,7 @@ class Pipeline {
         check_feature_edges(mesh_, options_.feature_edges, input_->rank());
         context_.report(0.75);
         input_->put_in_order(sources_, options_);
+        if (!options_.repair && !target_) look_for_cracks();
         if (!target_) mend_thin_triangles();
         context_.breathe();
         before_ = topology(mesh_);
@@ -171,6 +173,13 @@ class Pipeline {
 #else
         if (options_.validate) check_invariants();
 #endif
+    }
+
+    void look_for_cracks() {
+        const std::int32_t doubles = count_open_doubles(mesh_);
+        if (doubles == 0) return;
+        warn(std::to_string(doubles) +
+             " vertices of open edges lie at the place of another one; the surface is not joined there; repair joins it");
     }
 
     void mend_thin_triangles() {

@@ -22,6 +22,7 @@ WARNINGS = (
     QT_TRANSLATE_NOOP("Report", "{} source nodes could not be merged"),
     QT_TRANSLATE_NOOP("Report", "{} patches have an odd boundary that nothing can make even"),
     QT_TRANSLATE_NOOP("Report", "{} triangles are left"),
+    QT_TRANSLATE_NOOP("Report", "{} vertices of open edges lie at the place of another one; the surface is not joined there; repair joins it"),
     QT_TRANSLATE_NOOP("Report", "{} edges were collapsed because they are shorter than {} of the diagonal"),
     QT_TRANSLATE_NOOP("Report", "the edges of {} triangles were turned because some were thinner than {} of the diagonal"),
     QT_TRANSLATE_NOOP("Report", "{} quads are turned over by the surface to which they were brought"),

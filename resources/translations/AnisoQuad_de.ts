@@ -880,6 +880,10 @@ mit den Quellen, die vorher hinzugefügt wurden</translation>
    <translation>{} Punkte hinzugefügt</translation>
   </message>
   <message>
+   <source>{} vertices of open edges lie at the place of another one; the surface is not joined there; repair joins it</source>
+   <translation>{} Knoten offener Kanten liegen auf einem anderen; die Fläche hängt dort nicht zusammen; Reparieren verbindet sie</translation>
+  </message>
+  <message>
    <source>{} vertices welded</source>
    <translation>{} Punkte verschweißt</translation>
   </message>

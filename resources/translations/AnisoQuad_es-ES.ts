@@ -880,6 +880,10 @@ con las fuentes que se le añadieron antes</translation>
    <translation>{} vértices añadidos</translation>
   </message>
   <message>
+   <source>{} vertices of open edges lie at the place of another one; the surface is not joined there; repair joins it</source>
+   <translation>{} vértices de aristas abiertas están en el lugar de otro; la superficie no está unida allí; la reparación la une</translation>
+  </message>
+  <message>
    <source>{} vertices welded</source>
    <translation>{} vértices soldados</translation>
   </message>

@@ -880,6 +880,10 @@ avec les sources ajoutées auparavant</translation>
    <translation>{} sommets ajoutés</translation>
   </message>
   <message>
+   <source>{} vertices of open edges lie at the place of another one; the surface is not joined there; repair joins it</source>
+   <translation>{} sommets d'arêtes ouvertes sont à la place d'un autre; la surface n'y est pas jointe; la réparation la joint</translation>
+  </message>
+  <message>
    <source>{} vertices welded</source>
    <translation>{} sommets soudés</translation>
   </message>
