@@ -13,11 +13,12 @@ namespace {
 using M = SurfaceMesh;
 using Eigen::Vector3d;
 
-constexpr int kMostFacets = 200;      ///< crossed on the way to one side
-constexpr double kStraight = 0.5;     ///< least cosine between neighbouring edges of a ridge
-constexpr double kImbalance = 0.7;    ///< largest difference of the two sides' turns, over their sum
-constexpr double kGoingOn = 0.35;     ///< of the angle at which a ridge begins: where it may go on
-constexpr double kLeastLength = 2.0;  ///< of a ridge over the width
+constexpr int kMostFacets = 200;         ///< crossed on the way to one side
+constexpr double kStraight = 0.5;        ///< least cosine between neighbouring edges of a ridge
+constexpr double kImbalance = 0.7;       ///< largest difference of the two sides' turns, over their sum
+constexpr double kGoingOn = 0.35;        ///< of the angle at which a ridge begins: where it may go on
+constexpr double kLeastLength = 2.0;     ///< of a ridge over the width
+constexpr double kSharpMeeting = 0.866;  ///< cosine of 30°, at which a ridge does not run into another line
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -29,6 +30,7 @@ class RidgeFinder {
     Ridges run() {
         ridges_.in_fold.assign(static_cast<std::size_t>(mesh_.edge_slots()), 0);
         used_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        is_ridge_.assign(static_cast<std::size_t>(mesh_.edge_slots()), 0);
         reached_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
         std::vector<Edge> seeds;
         for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
@@ -122,6 +124,9 @@ class RidgeFinder {
         extend(ahead);
         std::vector<HalfEdge> back{M::twin(h)};
         if (mesh_.to(ahead.back()) != mesh_.from(h)) extend(back);
+        for (auto* chain : {&ahead, &back}) {
+            if (chain->size() > 1 && meets_sharply(chain->back())) chain->pop_back();
+        }
         double length = mesh_.length(seed);
         for (std::size_t i = 1; i < ahead.size(); ++i) length += mesh_.length(ahead[i]);
         for (std::size_t i = 1; i < back.size(); ++i) length += mesh_.length(back[i]);
@@ -134,8 +139,22 @@ class RidgeFinder {
     }
 
     void keep(const std::vector<HalfEdge>& chain, std::size_t first) {
-        for (std::size_t i = first; i < chain.size(); ++i)
+        for (std::size_t i = first; i < chain.size(); ++i) {
             ridges_.edges.push_back({mesh_.from(chain[i]).index(), mesh_.to(chain[i]).index()});
+            is_ridge_[static_cast<std::size_t>(M::edge(chain[i]).index())] = 1;
+        }
+    }
+
+    /// True if an edge runs into another line or ridge at so small an angle that no quad fits between them.
+    bool meets_sharply(HalfEdge last) const {
+        const Vertex v = mesh_.to(last);
+        const Vector3d back = (at(mesh_.from(last)) - at(v)).normalized();
+        for (const HalfEdge out : mesh_.outgoing(v)) {
+            const Edge e = M::edge(out);
+            if (!mesh_.is_constrained(e) && is_ridge_[static_cast<std::size_t>(e.index())] == 0) continue;
+            if (back.dot((at(mesh_.to(out)) - at(v)).normalized()) > kSharpMeeting) return true;
+        }
+        return false;
     }
 
     bool is_on_line(Vertex v) const {
@@ -208,6 +227,7 @@ class RidgeFinder {
     std::vector<char> used_;             ///< per vertex: on a ridge or so close to one that no other begins or goes on there
     std::vector<std::int32_t> reached_;  ///< per vertex: last edge whose surroundings it was found in
     std::int32_t now_ = 0;
+    std::vector<char> is_ridge_;  ///< per edge
     Ridges ridges_;
 };
 

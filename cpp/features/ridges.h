@@ -22,8 +22,8 @@ struct RidgeOptions {
 
 /// Finds ridges among the edges of some patches. The turn of an edge is the angle between the facets at half the width on either
 /// side of it, reached on straightest lines across it. Where it is large, chains of edges are grown along the middle of the
-/// fold, where either side turns by as much, until the fold ends or they meet another line. None lies within the width of a
-/// source.
+/// fold, where either side turns by as much, until the fold ends or they meet another line; one that would meet it at less than
+/// 30° ends an edge before, or no quad fits between the two. None lies within the width of a source.
 /// @param patches per patch, nonzero where to look
 Ridges find_ridges(const SurfaceMesh& mesh, std::span<const char> patches, const RidgeOptions& options);
 

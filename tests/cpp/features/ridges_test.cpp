@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -80,6 +81,26 @@ TEST(FindRidges, ASourceStandsForTheFoldThatItLiesOn) {
     find_features(mesh, {&source, 1}, {});
     find_patches(mesh);
     EXPECT_TRUE(find_ridges(mesh, std::vector<char>(2, 1), {.width = 0.05}).edges.empty());
+}
+
+TEST(FindRidges, ARidgeEndsBeforeALineThatItWouldMeetAtASmallAngle) {
+    constexpr std::int32_t kProfile = 25;
+    SurfaceMesh mesh = fold(0.01, 8, 20);
+    const std::vector<char> patches(1, 1);
+    const std::int32_t column = find_ridges(mesh, patches, {.width = 0.05}).edges.front()[0] % kProfile;
+    // An edge beside the ridge, from the lower left, that ends on it.
+    const std::int32_t end = 16 * kProfile + column;
+    Options options;
+    options.feature_edges = {{end - kProfile - 1, end}};
+    find_features(mesh, {}, options);
+    const Ridges ridges = find_ridges(mesh, patches, {.width = 0.05});
+    EXPECT_EQ(ridges.edges.size(), 19U);
+    const auto touches = [&](std::int32_t v) {
+        return std::any_of(ridges.edges.begin(), ridges.edges.end(),
+                           [&](const auto& e) { return std::minmax(e[0], e[1]) == std::minmax(v, end); });
+    };
+    EXPECT_FALSE(touches(end - kProfile)) << "between the two it would be too narrow";
+    EXPECT_TRUE(touches(end + kProfile)) << "on the other side there is room";
 }
 
 TEST(FindRidges, RidgesBecomeLinesOfTheirOwn) {
