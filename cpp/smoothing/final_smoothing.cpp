@@ -287,7 +287,7 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
         if (result.sweeps >= kFirstOfRows && (moves == 0 || at_rest)) break;
     }
     if (options.smoothing_passes > 0) {
-        result.moves += even_row_ends(mesh, reference, lines);
+        result.moves += even_row_ends(mesh, reference, lines, context);
         last = statistics(mesh);
     }
     result.min_after = last.min;

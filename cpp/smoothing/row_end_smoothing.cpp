@@ -121,15 +121,24 @@ bool move_on_line(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
 
 }  // namespace
 
-int even_row_ends(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines) {
+int even_row_ends(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines, const Context& context) {
     std::vector<HalfEdge> ends;
     for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
         const HalfEdge h(i);
         if (!mesh.is_deleted(h) && !mesh.is_boundary(h) && is_row_end(mesh, h)) ends.push_back(h);
     }
+    if (ends.empty()) return 0;
+    std::vector<std::int32_t> last_move(static_cast<std::size_t>(mesh.vertex_slots()), 0);  // the sweep of it
+    const auto is_due = [&](Vertex v, int sweep) {
+        const auto moved = [&](Vertex w) { return last_move[static_cast<std::size_t>(w.index())] + 1 >= sweep; };
+        for (const HalfEdge h : mesh.outgoing(v)) {
+            if (moved(mesh.to(h)) || (!mesh.is_boundary(h) && moved(mesh.to(mesh.next(h))))) return true;
+        }
+        return moved(v);
+    };
     int moves = 0;
     std::int32_t facet = -1;
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 1; sweep <= kSweeps; ++sweep) {
         std::vector<Vertex> nodes;
         for (const HalfEdge h : ends) {
             if (excess(area(mesh, mesh.face(h)), area(mesh, mesh.face(M::twin(h)))) <= 0.0) continue;
@@ -144,7 +153,11 @@ int even_row_ends(SurfaceMesh& mesh, const ReferenceSurface& reference, const Re
         for (const Vertex v : nodes) {
             const bool slides = mesh.info(v).kind != NodeKind::interior;
             if (slides && reference.target()) continue;  // its curve is another one
-            moved += (slides ? move_on_line(mesh, v, lines) : move_on_surface(mesh, v, reference, facet)) ? 1 : 0;
+            if (!is_due(v, sweep)) continue;
+            context.breathe();
+            if (!(slides ? move_on_line(mesh, v, lines) : move_on_surface(mesh, v, reference, facet))) continue;
+            last_move[static_cast<std::size_t>(v.index())] = sweep;
+            ++moved;
         }
         if (moved == 0) break;
         moves += moved;

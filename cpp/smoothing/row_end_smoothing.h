@@ -1,5 +1,6 @@
 #pragma once
 
+#include "context.h"
 #include "features/reference_lines.h"
 #include "mesh/surface_mesh.h"
 #include "surface/reference_surface.h"
@@ -13,6 +14,8 @@ inline constexpr double kMostSizeRatio = 2.0;
 /// kMostSizeRatio, for a solver sees the jump. Elements become no worse than 0.6, or than they were if that is less, in their
 /// scaled Jacobian. Nodes of lines slide along them, but not on a target.
 /// @returns the number of moves
-int even_row_ends(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines);
+/// @throws Error{cancelled}
+int even_row_ends(SurfaceMesh& mesh, const ReferenceSurface& reference, const ReferenceLines& lines,
+                  const Context& context = no_context());
 
 }  // namespace anisoquad
