@@ -53,7 +53,9 @@ class NeedleCollapse {
           named_(sources, options) {}
 
     int run() {
-        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) look_at(Edge(i));
+        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+            if (!mesh_.is_deleted(Edge(i))) look_at(Edge(i));
+        }
         int collapsed = 0;
         while (!waiting_.empty()) {
             const Needle needle = waiting_.top();
