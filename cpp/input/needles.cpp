@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/named_edges.h"
+#include "mesh/area_vector.h"
 #include "mesh/euler_operators.h"
 
 namespace anisoquad {
@@ -22,11 +23,9 @@ constexpr double kThin = 0.1;         ///< height over longest edge below which 
 constexpr double kLeastCosine = 0.3;  ///< between a triangle before and after, if it was not thin
 constexpr int kMostSharpEdges = 3;    ///< at the node that is left: two of a line, or those of a corner; two lines have four
 
-Vector3d area_vector(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
-
 bool is_thin(const Point& a, const Point& b, const Point& c) {
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    return area_vector(a, b, c).norm() < kThin * longest;
+    return doubled_area_vector(a, b, c).norm() < kThin * longest;
 }
 
 /// True if the triangle on the left of h has two edges that are much longer.
@@ -117,14 +116,14 @@ class NeedleCollapse {
         Vector3d normal = Vector3d::Zero();
         for (const HalfEdge out : mesh_.outgoing(mesh_.from(h))) {
             if (!mesh_.is_boundary(out))
-                normal += area_vector(old, mesh_.position(mesh_.to(out)), mesh_.position(mesh_.to(mesh_.next(out))));
+                normal += doubled_area_vector(old, mesh_.position(mesh_.to(out)), mesh_.position(mesh_.to(mesh_.next(out))));
         }
         for (const HalfEdge out : mesh_.outgoing(mesh_.from(h))) {
             if (mesh_.is_boundary(out) || mesh_.to(out) == kept || mesh_.to(mesh_.next(out)) == kept) continue;
             const Point& p = mesh_.position(mesh_.to(out));
             const Point& q = mesh_.position(mesh_.to(mesh_.next(out)));
-            const Vector3d before = area_vector(old, p, q);
-            const Vector3d after = area_vector(place, p, q);
+            const Vector3d before = doubled_area_vector(old, p, q);
+            const Vector3d after = doubled_area_vector(place, p, q);
             if (is_thin(old, p, q) ? !(after.dot(normal) > 0.0)
                                    : !(after.dot(before) > kLeastCosine * after.norm() * before.norm()))
                 return false;
@@ -146,8 +145,8 @@ class NeedleCollapse {
                 Vector3d normal = Vector3d::Zero();
                 if (!mesh_.is_boundary(out)) {
                     if (mesh_.to(mesh_.next(out)) == mesh_.to(side)) continue;  // goes
-                    normal = area_vector(mesh_.position(mesh_.to(h)), mesh_.position(mesh_.to(out)),
-                                         mesh_.position(mesh_.to(mesh_.next(out))))
+                    normal = doubled_area_vector(mesh_.position(mesh_.to(h)), mesh_.position(mesh_.to(out)),
+                                                 mesh_.position(mesh_.to(mesh_.next(out))))
                                  .normalized();
                 }
                 sectors.push_back({normal, named});

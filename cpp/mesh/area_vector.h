@@ -7,11 +7,12 @@
 
 namespace anisoquad {
 
-/// Twice the area vector of a triangle. @pre the face is a triangle
+/// Twice the area vector of a triangle.
+inline Eigen::Vector3d doubled_area_vector(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
+/// @pre the face is a triangle
 inline Eigen::Vector3d doubled_area_vector(const SurfaceMesh& mesh, Face f) {
     const HalfEdge h = mesh.halfedge(f);
-    const Point& p = mesh.position(mesh.from(h));
-    return (mesh.position(mesh.to(h)) - p).cross(mesh.position(mesh.to(mesh.next(h))) - p);
+    return doubled_area_vector(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.to(mesh.next(h))));
 }
 
 /// Twice the area vector of a quad: the cross product of its diagonals. @pre the face is a quad

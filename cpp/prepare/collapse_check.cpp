@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/area_vector.h"
 #include "mesh/euler_operators.h"
 #include "prepare/remesh.h"
 #include "prepare/triangle_shape.h"
@@ -18,8 +19,6 @@ constexpr double kLeastShape = 0.1;    ///< of a triangle after a collapse, wher
 constexpr double kLongestEdge = 1.45;  ///< over the wanted edge
 constexpr double kSliver = 0.1;        ///< shape below which a triangle's own normal is not looked at
 constexpr double kLeastCosine = 0.3;   ///< between a triangle before and after the collapse, if it was no sliver
-
-Vector3d area_vector(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
 
 /// True where the triangle at h, which would go, is all that keeps two lines apart.
 bool joins_lines(const SurfaceMesh& mesh, HalfEdge h) {
@@ -43,7 +42,7 @@ bool stays_on_surface(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurfac
         const SurfacePoint middle = reference.closest((place + p + q) / 3.0, patch, hint);
         hint = middle.facet;
         if (middle.distance > deviation || reference.closest(0.5 * (place + p), patch, hint).distance > deviation) return false;
-        if (!(area_vector(place, p, q).dot(middle.normal) > 0.0)) return false;
+        if (!(doubled_area_vector(place, p, q).dot(middle.normal) > 0.0)) return false;
     }
     return true;
 }
@@ -60,7 +59,7 @@ bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& r
     Vector3d normal = Vector3d::Zero();
     for (const HalfEdge out : mesh.outgoing(gone)) {
         if (mesh.is_boundary(out)) continue;
-        normal += area_vector(old, mesh.position(mesh.to(out)), mesh.position(mesh.to(mesh.next(out))));
+        normal += doubled_area_vector(old, mesh.position(mesh.to(out)), mesh.position(mesh.to(mesh.next(out))));
         worst = std::min(worst, triangle_shape(old, mesh.position(mesh.to(out)), mesh.position(mesh.to(mesh.next(out)))));
     }
     for (const HalfEdge out : mesh.outgoing(gone)) {
@@ -75,8 +74,8 @@ bool may_collapse(const SurfaceMesh& mesh, HalfEdge h, const ReferenceSurface& r
         const Point& q = mesh.position(b);
         const double shape = triangle_shape(place, p, q);
         if (shape < std::min(kLeastShape, worst)) return false;
-        const Vector3d before = area_vector(old, p, q);
-        const Vector3d after = area_vector(place, p, q);
+        const Vector3d before = doubled_area_vector(old, p, q);
+        const Vector3d after = doubled_area_vector(place, p, q);
         // Slivers do not tell which way the surface faces.
         const bool is_sliver = triangle_shape(old, p, q) < kSliver;
         if (is_sliver ? !(after.dot(normal) > 0.0) : !(after.dot(before) > kLeastCosine * after.norm() * before.norm()))

@@ -286,10 +286,9 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
         last = now;
         if (result.sweeps >= kFirstOfRows && (moves == 0 || at_rest)) break;
     }
-    if (options.smoothing_passes > 0) {
-        result.moves += even_row_ends(mesh, reference, lines, context);
-        last = statistics(mesh);
-    }
+    const int at_row_ends = options.smoothing_passes > 0 ? even_row_ends(mesh, reference, lines, context) : 0;
+    if (at_row_ends > 0) last = statistics(mesh);
+    result.moves += at_row_ends;
     result.min_after = last.min;
     result.mean_after = last.mean;
     result.inverted = last.inverted;

@@ -92,14 +92,11 @@ double best_place(const Score& score, const ReferenceLines& lines, const LineStr
     return best < before + kLeastGain ? s.here : place;
 }
 
-/// Where the node's star scores best and no element becomes worse than the worst one is.
-double best_place_of_star(const Star& star, const ReferenceLines& lines, const LineStretch& s, double deviation,
-                          const Point& from) {
-    const double worst = star.quality(from).worst;
-    const auto score_at = [&](const Point& p) {
+/// What places of a node are worth that make no element worse than the worst one is with the node at `from`.
+auto score_of_star(const Star& star, const Point& from) {
+    return [&star, worst = star.quality(from).worst](const Point& p) {
         return star.quality(p).worst < worst ? -std::numeric_limits<double>::infinity() : score(star, p);
     };
-    return best_place(score_at, lines, s, deviation, from);
 }
 
 }  // namespace
@@ -140,16 +137,9 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
 }
 
 bool slide_on_curve(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines) {
-    LineStretch stretch;
     Star star;
-    if (!gather_on_line(mesh, v, star) || star.quality(star.centre()).worst >= Star::kPoor ||
-        !find_stretch(mesh, v, lines, stretch))
-        return false;
-    const double place = best_place_of_star(star, lines, stretch, kDeviation, star.centre());
-    if (place == stretch.here) return false;
-    mesh.position(v) = lines.at(stretch.line, place);
-    mesh.info(v).input = -1;
-    return true;
+    if (!gather_on_line(mesh, v, star) || star.quality(star.centre()).worst >= Star::kPoor) return false;
+    return slide_on_curve_towards(mesh, v, lines, score_of_star(star, star.centre()));
 }
 
 bool slide_on_curve_towards(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines,
@@ -169,7 +159,8 @@ bool slide_on_target(SurfaceMesh& mesh, Vertex v, const ReferenceLines& lines, c
     if (!gather_on_line(mesh, v, star) || !find_stretch(mesh, v, lines, stretch)) return false;
     const double deviation = std::max({kDeviation, lines.deviation(stretch.line, stretch.low, stretch.here),
                                        lines.deviation(stretch.line, stretch.here, stretch.high)});
-    const double place = best_place_of_star(star, lines, stretch, deviation, lines.at(stretch.line, stretch.here));
+    const Point here = lines.at(stretch.line, stretch.here);
+    const double place = best_place(score_of_star(star, here), lines, stretch, deviation, here);
     if (place == stretch.here) return false;
     const ReferenceLines::EdgePlace on = lines.edge_at(stretch.line, place);
     Point p = lines.at(stretch.line, place);
