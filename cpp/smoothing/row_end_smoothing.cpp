@@ -23,7 +23,10 @@ constexpr double kFirstStep = 0.2;  ///< over the mean edge length
 constexpr double kSmallestStep = 5e-3;
 constexpr double kLeastGain = 1e-4;
 constexpr double kLongestRatio = 5.0;    ///< of a quad's edges, of what was less stretched before
+constexpr double kOfRowsRatio = 0.75;    ///< the same, over the ratio of the row's quad beside it: with the row's length, a quad
+                                         ///< of twice the row's area has half of it
 constexpr double kQualityWeight = 0.05;  ///< of the star's score beside the sizes
+constexpr double kLeastQuality = 0.55;   ///< scaled Jacobian of what was no worse
 
 /// True for the outer side of an edge between a quad of a row and another one.
 bool is_row_end(const SurfaceMesh& mesh, HalfEdge outer) {
@@ -39,6 +42,17 @@ double excess(double a, double b) {
     return ratio > 0.0 ? ratio : 0.0;
 }
 
+/// Longest over shortest edge.
+double edge_ratio(const SurfaceMesh& mesh, Face f) {
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    for (const HalfEdge h : mesh.halfedges(f)) {
+        shortest = std::min(shortest, mesh.length(h));
+        longest = std::max(longest, mesh.length(h));
+    }
+    return shortest > 0.0 ? longest / shortest : 1.0;
+}
+
 /// The quads at a node that lie beside a row's end, for trial places of the node.
 class EndsOfStar {
   public:
@@ -48,8 +62,10 @@ class EndsOfStar {
             for (const HalfEdge g : mesh.halfedges(mesh.face(h))) {
                 if (!is_row_end(mesh, g)) continue;
                 const HalfEdge next = mesh.next(h);
+                const Face row = mesh.face(M::twin(g));
                 ends_.push_back({mesh.position(mesh.from(next)), mesh.position(mesh.to(next)),
-                                 mesh.position(mesh.from(mesh.prev(h))), area(mesh, mesh.face(M::twin(g)))});
+                                 mesh.position(mesh.from(mesh.prev(h))), area(mesh, row)});
+                rows_ratio_ = std::max(rows_ratio_, edge_ratio(mesh, row));
             }
         }
     }
@@ -63,12 +79,16 @@ class EndsOfStar {
         return sum;
     }
 
+    /// The largest ratio of the edges of a row's quad beside them.
+    double rows_ratio() const { return rows_ratio_; }
+
   private:
     struct End {
         Point next, opposite, previous;
         double row_area;
     };
     std::vector<End> ends_;
+    double rows_ratio_ = 1.0;
 };
 
 /// What places of one node are worth.
@@ -76,8 +96,8 @@ class Worth {
   public:
     Worth(const SurfaceMesh& mesh, Vertex v, const Star& star) : star_(star), ends_(mesh, v) {
         const Star::Quality now = star.quality(star.centre());
-        least_ = std::min(now.worst, Star::kPoor);
-        longest_ = std::max(now.ratio, kLongestRatio);
+        least_ = std::min(now.worst, kLeastQuality);
+        longest_ = std::max({now.ratio, kLongestRatio, kOfRowsRatio * ends_.rows_ratio()});
     }
     bool is_upright() const { return least_ > 0.0; }
     double operator()(const Point& p) const {

@@ -11,7 +11,7 @@ namespace anisoquad {
 inline constexpr double kMostSizeRatio = 2.0;
 
 /// Moves the nodes of quads beyond the rows' end whose area differs from that of the row's quad beside them by more than
-/// kMostSizeRatio, for a solver sees the jump. Elements become no worse than 0.6, or than they were if that is less, in their
+/// kMostSizeRatio, for a solver sees the jump. Elements become no worse than 0.55, or than they were if that is less, in their
 /// scaled Jacobian. Nodes of lines slide along them, but not on a target.
 /// @returns the number of moves
 /// @throws Error{cancelled}
