@@ -3,12 +3,27 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace anisoquad {
 
 using M = SurfaceMesh;
 
+namespace {
+
 constexpr double kNearCut = 6.0;  ///< over the size
+
+/// z · (cosine + i sine), the factor being of any length that is not zero, brought to a length near 1. (The operator of
+/// std::complex looks for infinities.)
+std::complex<double> turned(const std::complex<double>& z, double cosine, double sine) {
+    const double size = std::max(std::abs(cosine), sine);
+    if (!(size > 0.0)) return z;
+    const double re = (z.real() * cosine - z.imag() * sine) / size;
+    const double im = (z.real() * sine + z.imag() * cosine) / size;
+    return {re, im};
+}
+
+}  // namespace
 
 bool is_near_cut(const SurfaceMesh& mesh, HalfEdge h, const Cuts& cuts) {
     if (cuts.empty()) return false;
@@ -40,6 +55,22 @@ double front_angle(const SurfaceMesh& mesh, HalfEdge h) {
         const Eigen::Vector3d b = mesh.position(mesh.to(out)) - p;
         sum += std::atan2(a.cross(b).norm(), a.dot(b));
         if (is_front(mesh, out)) return sum;
+        in = M::twin(out);
+    }
+}
+
+bool is_front_angle_below(const SurfaceMesh& mesh, HalfEdge h, double limit) {
+    // What the sum of the angles exceeds the limit by, as the direction of a complex number; each angle turns it by π at most.
+    std::complex<double> excess = std::polar(1.0, -limit);
+    const Point& p = mesh.position(mesh.to(h));
+    HalfEdge in = h;
+    while (true) {
+        const HalfEdge out = mesh.next(in);
+        const Eigen::Vector3d a = mesh.position(mesh.from(in)) - p;
+        const Eigen::Vector3d b = mesh.position(mesh.to(out)) - p;
+        excess = turned(excess, a.dot(b), a.cross(b).norm());
+        if (excess.imag() >= 0.0) return false;
+        if (is_front(mesh, out)) return true;
         in = M::twin(out);
     }
 }

@@ -34,6 +34,9 @@ HalfEdge previous_front(const SurfaceMesh& mesh, HalfEdge h);
 /// Angle (radians) of the unmeshed sector at to(h), between front edge `h` and the next one: the sum of the triangles' angles.
 double front_angle(const SurfaceMesh& mesh, HalfEdge h);
 
+/// front_angle(mesh, h) < limit, without the angles. @param limit radians, 0 … π
+bool is_front_angle_below(const SurfaceMesh& mesh, HalfEdge h, double limit);
+
 /// Area vector of the unmeshed triangles in the sector at to(h).
 Eigen::Vector3d sector_normal(const SurfaceMesh& mesh, HalfEdge h);
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -27,18 +30,36 @@ constexpr int kLate = 64;                   // level
 constexpr int kMostEdgesLate = 64;          // of the nodes of a front edge of a later level
 constexpr double kLeastLengthLate = 0.02;   // of a front edge of a later level, over the wanted size
 
-/// A front edge that waits: fewer right or left bits unset first, then lower level, then shorter, then lower index.
-struct Waiting {
-    int missing_bits;  // 2 − number of ends where the front turns sharply; + 3 for each failed try
-    std::int32_t level;
-    float length;
-    HalfEdge h;
-    std::int32_t stamp;
+/// A front edge that waits: those at whose ends the front turns sharply first, then those of a lower level, then shorter ones,
+/// then those of a lower index, which are near each other. A length counts by its class alone: within one, neighbours follow
+/// each other, and find in the cache what they need.
+class Waiting {
+  public:
+    /// @param sharp_ends 0 … 2; @param tries failed ones
+    Waiting(int sharp_ends, int tries, std::int32_t level, double length, HalfEdge h, std::int32_t stamp)
+        : key_(static_cast<std::uint64_t>(2 - sharp_ends + 3 * tries) << kTriesShift |
+               static_cast<std::uint64_t>(std::min(level, kMostLevel)) << kLevelShift |
+               static_cast<std::uint64_t>(length_class(length)) << kLengthShift | static_cast<std::uint32_t>(h.index())),
+          stamp_(stamp) {}
 
-    bool operator<(const Waiting& other) const {  // std::priority_queue takes the greatest first
-        return std::tie(other.missing_bits, other.level, other.length, other.h, other.stamp) <
-               std::tie(missing_bits, level, length, h, stamp);
+    HalfEdge halfedge() const { return HalfEdge(static_cast<std::int32_t>(key_ & 0xffffffffu)); }
+    std::int32_t stamp() const { return stamp_; }
+    /// std::priority_queue takes the greatest first.
+    bool operator<(const Waiting& other) const { return std::tie(other.key_, other.stamp_) < std::tie(key_, stamp_); }
+
+  private:
+    static constexpr int kLengthShift = 32;
+    static constexpr int kLevelShift = 44;
+    static constexpr int kTriesShift = 60;
+    static constexpr std::int32_t kMostLevel = (1 << 16) - 1;
+    static constexpr int kDropped = 20;  ///< bits of a float that do not count
+    /// Eight classes to each power of two: the leading bits of a positive float grow with it.
+    static std::uint32_t length_class(double length) {
+        return std::bit_cast<std::uint32_t>(static_cast<float>(length)) >> kDropped;
     }
+
+    std::uint64_t key_;
+    std::int32_t stamp_;
 };
 
 class QMorph {
@@ -66,7 +87,7 @@ class QMorph {
             queue_.pop();
             if (!is_current(top)) continue;
             if (++steps % 1024 == 0) context_.report(std::min(0.99, 2.0 * result_.quads / std::max(1, triangles_)));
-            advance(top.h);
+            advance(top.halfedge());
         }
         if (!cuts_.empty()) return result_;
         const FinishResult finish = finish_remaining(mesh_);
@@ -93,11 +114,15 @@ class QMorph {
         EdgeState& s = state(h);
         if (s.tries >= kTries || is_near_cut(mesh_, h, cuts_)) return;
         ++s.stamp;
-        const int bits = (front_angle(mesh_, h) < kSideAngle) + (front_angle(mesh_, previous_front(mesh_, h)) < kSideAngle);
-        queue_.push({2 - bits + 3 * s.tries, s.level, static_cast<float>(mesh_.length(h)), h, s.stamp});
+        const int sharp_ends =
+            is_front_angle_below(mesh_, h, kSideAngle) + is_front_angle_below(mesh_, previous_front(mesh_, h), kSideAngle);
+        queue_.push({sharp_ends, s.tries, s.level, mesh_.length(h), h, s.stamp});
     }
 
-    bool is_current(const Waiting& w) { return !mesh_.is_deleted(w.h) && state(w.h).stamp == w.stamp && is_front(mesh_, w.h); }
+    bool is_current(const Waiting& w) {
+        const HalfEdge h = w.halfedge();
+        return !mesh_.is_deleted(h) && state(h).stamp == w.stamp() && is_front(mesh_, h);
+    }
 
     void advance(HalfEdge h) {
         const int length = loop_length(mesh_, h, 6);
@@ -148,7 +173,7 @@ class QMorph {
             const Vertex merged = seam(mesh_, h);
             if (!merged.is_valid()) return false;
             ++result_.seams;
-            refresh(merged, level);
+            refresh({&merged, 1}, level);
             return true;
         }
         if (kind == SeamKind::transition_seam) {
@@ -158,14 +183,13 @@ class QMorph {
                 settle(f, level + 1);
                 return true;
             }
-            refresh(node, level);
+            refresh({&node, 1}, level);
             return false;
         }
         const Vertex m = transition_split(mesh_, h);
         if (!m.is_valid()) return false;
         ++result_.transitions;
-        refresh(m, level);
-        refresh(node, level);
+        refresh(std::array{m, node}, level);
         return true;
     }
 
@@ -177,23 +201,32 @@ class QMorph {
         return std::all_of(nodes.begin(), nodes.end(), [&](Vertex v) { return mesh_.valence(v) <= kMostEdgesAtTransition; });
     }
 
-    /// New front edges at the node get the level; all front edges there, and those next to them, are classified anew.
-    void refresh(Vertex v, std::int32_t level) {
-        if (mesh_.is_deleted(v)) return;
-        for (const HalfEdge out : mesh_.outgoing(v)) {
-            for (const HalfEdge k : {out, M::twin(out)}) {
-                if (!is_front(mesh_, k)) continue;
-                EdgeState& s = state(k);
-                if (s.stamp == 0) s.level = level;
-                push(k);
+    /// New front edges at the nodes get the level; all front edges there are classified anew, each once.
+    void refresh(std::span<const Vertex> nodes, std::int32_t level) {
+        to_push_.clear();
+        for (const Vertex v : nodes) {
+            if (mesh_.is_deleted(v)) continue;
+            for (const HalfEdge out : mesh_.outgoing(v)) {
+                for (const HalfEdge k : {out, M::twin(out)}) {
+                    if (is_front(mesh_, k) && std::find(to_push_.begin(), to_push_.end(), k) == to_push_.end())
+                        to_push_.push_back(k);
+                }
             }
+        }
+        for (const HalfEdge k : to_push_) {
+            EdgeState& s = state(k);
+            if (s.stamp == 0) s.level = level;
+            push(k);
         }
     }
 
     /// After a new quad: its surroundings are smoothed, and the front there is classified anew.
     void settle(Face quad, std::int32_t level) {
         smooth_around(mesh_, quad, reference_, hints_);
-        for (const HalfEdge k : mesh_.halfedges(quad)) refresh(mesh_.from(k), level);
+        std::array<Vertex, 4> nodes;
+        std::size_t n = 0;
+        for (const HalfEdge k : mesh_.halfedges(quad)) nodes[n++] = mesh_.from(k);
+        refresh(nodes, level);
     }
 
     /// Between slivers that are folded over, quad can follow quad without end: round the same nodes, or smaller and smaller.
@@ -241,6 +274,7 @@ class QMorph {
     QMorphResult result_;
     std::priority_queue<Waiting> queue_;
     std::vector<EdgeState> states_;
+    std::vector<HalfEdge> to_push_;
     std::int32_t triangles_ = 0;
 };
 

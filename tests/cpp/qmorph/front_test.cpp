@@ -57,6 +57,19 @@ TEST(Front, AnglesAreThoseOfTheSector) {
     EXPECT_NEAR(turn, 2.0 * kPi, 1e-12);
 }
 
+TEST(Front, AnAngleIsBelowALimitOrNot) {
+    Prepared plane(shapes::grid(4, 4), {source(path(11, 13, 1))});  // corners, straight sides, both ends of a slit
+    Prepared disc(shapes::cone(16, 4, 0.3));
+    for (const SurfaceMesh* mesh : {&plane.mesh, &disc.mesh}) {
+        for (const HalfEdge h : front(*mesh)) {
+            const double angle = front_angle(*mesh, h);
+            for (const double limit : {0.3, 1.0, kPi / 2 - 0.01, kPi / 2 + 0.01, 0.75 * kPi, kPi - 0.01}) {
+                EXPECT_EQ(is_front_angle_below(*mesh, h, limit), angle < limit) << angle << " " << limit;
+            }
+        }
+    }
+}
+
 TEST(Front, AClosedSurfaceHasNone) { EXPECT_TRUE(front(Prepared(shapes::torus(20, 12)).mesh).empty()); }
 
 TEST(Front, ALineInsideIsFrontOnBothSides) {
