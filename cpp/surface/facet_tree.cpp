@@ -98,14 +98,17 @@ void FacetTree::find_neighbours() {
 void FacetTree::measure_facets() {
     near2_.resize(facets_.size());
     for_each(count(), [&](std::int32_t f) {
-        const auto& t = facets_[at(f)];
-        const Vector3d a = points_[at(t[1])] - points_[at(t[0])];
-        const Vector3d b = points_[at(t[2])] - points_[at(t[0])];
-        const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-        const double height = longest2 > 0.0 ? a.cross(b).norm() / std::sqrt(longest2) : 0.0;
-        const double near = std::min(kNearOfHeight * height, kNearOfDiagonal * diagonal_);
+        const double near = std::min(kNearOfHeight * height(f), kNearOfDiagonal * diagonal_);
         near2_[at(f)] = static_cast<float>(near * near);
     });
+}
+
+double FacetTree::height(std::int32_t f) const {
+    const auto& t = facet(f);
+    const Vector3d a = point(t[1]) - point(t[0]);
+    const Vector3d b = point(t[2]) - point(t[0]);
+    const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+    return longest2 > 0.0 ? a.cross(b).norm() / std::sqrt(longest2) : 0.0;
 }
 
 /// The facets of each patch stand together, the patches along a Z-order curve of their middles, the facets of each along one too.

@@ -47,6 +47,8 @@ class FacetTree {
     std::int32_t neighbour(std::int32_t f, int k) const {
         return neighbour_[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)];
     }
+    /// Least height of the facet, 0 where it is a point.
+    double height(std::int32_t f) const;
     /// Diagonal of the bounding box.
     double diagonal() const { return diagonal_; }
 

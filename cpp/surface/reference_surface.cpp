@@ -35,6 +35,12 @@ void ReferenceSurface::compute_normals(double crease_angle, const Context& conte
         const auto& [a, b, c] = tree_.facet(f);
         facet_normal_[at(f)] = (tree_.point(b) - tree_.point(a)).cross(tree_.point(c) - tree_.point(a)).stableNormalized();
     });
+    lift_limit_.resize(at(facet_count()));
+    for_each(facet_count(), context, [&](std::int32_t f) {
+        const double limit = std::min(kLiftOfHeight * tree_.height(f), kLiftOfDiagonal * diagonal());
+        // Rounded down: what is lifted by as much as it may be is still near the surface to all who ask (Star::stays_near()).
+        lift_limit_[at(f)] = std::nextafter(static_cast<float>(limit), 0.0F);
+    });
     const double crease = std::cos(crease_angle * std::numbers::pi / 180.0);
     const auto corner_of = [this](std::int32_t facet, std::int32_t v) {
         const auto& t = tree_.facet(facet);
@@ -124,18 +130,13 @@ Point ReferenceSurface::project(const Point& p, const Sheet& sheet, std::int32_t
     }
     const auto& t = tree_.facet(c.facet);
     Vector3d lift = Vector3d::Zero();
-    double longest = 0.0;
     for (std::int32_t k = 0; k < 3; ++k) {
-        const Point& corner = tree_.point(t[at(k)]);
         const Vector3d n = corner_normal_[at(c.facet)][at(k)].cast<double>();
-        lift += 0.5 * c.weights[k] * (corner - c.position).dot(n) * n;
-        longest = std::max(longest, (tree_.point(t[at((k + 1) % 3)]) - corner).norm());
+        lift += 0.5 * c.weights[k] * (tree_.point(t[at(k)]) - c.position).dot(n) * n;
     }
-    const double area2 = (tree_.point(t[1]) - tree_.point(t[0])).cross(tree_.point(t[2]) - tree_.point(t[0])).norm();
-    const double limit = std::min(kLiftOfHeight * area2 / longest, kLiftOfDiagonal * diagonal());
-    const double length = lift.norm();
-    if (!(length > 0.0) || !(limit > 0.0)) return c.position;
-    return c.position + std::min(1.0, limit / length) * lift;
+    const double limit = lift_limit_[at(c.facet)];
+    const double length2 = lift.squaredNorm();
+    return length2 > limit * limit ? Point(c.position + limit / std::sqrt(length2) * lift) : Point(c.position + lift);
 }
 
 }  // namespace anisoquad

@@ -80,6 +80,7 @@ class ReferenceSurface {
     FacetTree tree_;
     std::vector<Eigen::Vector3d> facet_normal_;
     std::vector<std::array<Eigen::Vector3f, 3>> corner_normal_;
+    std::vector<float> lift_limit_;  ///< per facet: of the way that project() lifts a point off it
     FramedTarget target_;
 };
 
