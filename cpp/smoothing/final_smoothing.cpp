@@ -160,16 +160,22 @@ class FinalSmoother {
             if (reference_.target()) return slide_on_target(mesh_, v, lines_, reference_.target());
             return slide_on_line(mesh_, v) || slide_on_curve(mesh_, v, lines_);
         }
-        Star star;
-        if (!star.gather(mesh_, v)) return false;
         if (hint_[index(v)] < 0) hint_[index(v)] = hint_of_neighbour(v);
-        star.see_along_surface(reference_, hint_[index(v)]);
-        if (mesh_.info(v).in_row)
-            return star.quality(star.centre()).worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
-        if (!is_movable(mesh_, v)) return false;
         // An untangled star first; then the mean; then the worst, where the mean alone leaves a poor element.
         double worst = 1.0;
-        const bool moved = star.is_flat() && star.has_quads_only() ? relax_flat(v, star, worst) : relax(v, star, worst);
+        bool moved = false;
+        FlatStar flat;
+        if (is_movable(mesh_, v) && flat.gather(mesh_, v) && flat.has_quads_only()) {
+            moved = relax_flat(v, flat, worst);
+        } else {
+            Star star;
+            if (!star.gather(mesh_, v)) return false;
+            star.see_along_surface(reference_, hint_[index(v)]);
+            if (mesh_.info(v).in_row)
+                return star.quality(star.centre()).worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
+            if (!is_movable(mesh_, v)) return false;
+            moved = relax(v, star, worst);
+        }
         if (worst >= Star::kPoor) return moved;
         return optimise_node(mesh_, v, &reference_, &hint_[index(v)], Aim::worst_changing_corner) || moved;
     }
@@ -200,23 +206,21 @@ class FinalSmoother {
     }
 
     /// The same in the tangent plane, where the derivatives are known.
-    bool relax_flat(Vertex v, const Star& star, double& worst) {
-        const FlatStar flat(star);
-        const Star::Quality before = flat.quality(Eigen::Vector2d::Zero());
-        worst = before.worst_changing;
-        if (before.worst <= 0.0) return false;
-        const FlatStar::Derivatives d = flat.derivatives();
-        const Eigen::Vector2d x = newton_step(d.gradient, d.hessian, kRelaxation, kMostStep * star.edge_length());
+    bool relax_flat(Vertex v, const FlatStar& star, double& worst) {
+        const FlatStar::Expansion here = star.expand();
+        worst = here.quality.worst_changing;
+        if (here.quality.worst <= 0.0) return false;
+        const Eigen::Vector2d x = newton_step(here.gradient, here.hessian, kRelaxation, kMostStep * star.edge_length());
         // What a quadratic model of the score promises.
-        if (d.gradient.dot(x) + 0.5 * x.dot(d.hessian * x) < kLeastScoreGain) return false;
+        if (here.gradient.dot(x) + 0.5 * x.dot(here.hessian * x) < kLeastScoreGain) return false;
         return step(
-            v, star, before, x, flat, [&](const Point& p) { return flat.quality(flat.coordinates(p)); }, worst);
+            v, star, here.quality, x, star, [&](const Point& p) { return star.quality(p); }, worst);
     }
 
     /// Makes the step, or as much of it as raises the score and leaves no poor element poorer.
-    /// @param place point in space of x; @param quality of the faces with the node at a point
-    template <class Place, class Quality>
-    bool step(Vertex v, const Star& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place,
+    /// @param star Star or FlatStar; @param place point in space of x; @param quality of the faces with the node at a point
+    template <class AnyStar, class Place, class Quality>
+    bool step(Vertex v, const AnyStar& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place,
               const Quality& quality, double& worst) {
         std::int32_t facet = hint_[index(v)];
         for (int i = 0; i < 3 && x.norm() > kLeastStep * star.edge_length(); ++i, x *= 0.5) {

@@ -33,7 +33,6 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     edge_length_ = 0.0;
     patch_ = -1;
     hint_ = -1;
-    has_quads_only_ = true;
     int edges = 0;
     std::array<Vector3d, kCapacity> area;
     for (HalfEdge h : mesh.outgoing(v)) {
@@ -49,7 +48,6 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
         w.opposite = mesh.position(mesh.to(after));
         w.previous = mesh.position(mesh.from(mesh.prev(h)));
         w.quad = mesh.next(after) != mesh.prev(h);
-        has_quads_only_ = has_quads_only_ && w.quad;
         if (w.quad) {
             w.after_next = w.opposite - w.next;
             w.before_previous = w.previous - w.opposite;
@@ -151,7 +149,7 @@ Star::FaceQuality Star::quality(const Wedge& wedge, const Point& p) const {
     if (!wedge.quad) {
         const Vector3d area = first.cross(wedge.previous - p);
         const double sum = first.squaredNorm() + last.squaredNorm() + (wedge.previous - wedge.next).squaredNorm();
-        const double shape = std::min(1.0, 3.0 * 2.0 * std::sqrt(3.0) * area.norm() / sum);
+        const double shape = triangle_shape(area.norm(), sum);
         const double quality = area.dot(wedge.up) > upright_ * area.norm() ? shape : -shape;
         return {quality, quality, quality, 1.0};
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numbers>
 
 #include "mesh/surface_mesh.h"
 #include "surface/reference_surface.h"
@@ -21,7 +22,6 @@ class Star {
     /// @returns false if the node has no face or more than kCapacity of them
     bool gather(const SurfaceMesh& mesh, Vertex v);
 
-    int size() const { return size_; }
     /// The node's place when the star was gathered.
     const Point& centre() const { return centre_; }
     /// Unit sum of the faces' area vectors, see node_normal().
@@ -29,11 +29,6 @@ class Star {
     /// Mean length of the node's edges.
     double edge_length() const { return edge_length_; }
     std::int32_t patch() const { return patch_; }
-    bool has_quads_only() const { return has_quads_only_; }
-    /// Nodes of the i-th face, from the centre on: next, opposite (quads only), previous.
-    const Point& next(int i) const { return wedges_[static_cast<std::size_t>(i)].next; }
-    const Point& opposite(int i) const { return wedges_[static_cast<std::size_t>(i)].opposite; }
-    const Point& previous(int i) const { return wedges_[static_cast<std::size_t>(i)].previous; }
 
     /// Side from which the faces are seen: normal() unless set.
     void see_along(const Eigen::Vector3d& normal);
@@ -79,6 +74,10 @@ class Star {
         double sines = -1.0;     ///< mean of the corners; the quality of a triangle
         double ratio = 1.0;      ///< longest over shortest edge; 1 for a triangle
     };
+    /// Of a triangle, 1 for all that are not far from equilateral. @param area twice its area; @param squares sum of its edges'
+    static double triangle_shape(double area, double squares) {
+        return std::min(1.0, 6.0 * std::numbers::sqrt3 * area / squares);
+    }
     /// Quality of the faces with the node at p.
     Quality quality(const Point& p) const;
     /// Quads with a corner that is turned against the quad's own normal, with the node at p: not convex, whatever the side seen
@@ -121,7 +120,6 @@ class Star {
     bool is_on_fold_ = false;
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
     double least_cosine_ = 1.0;                            ///< between a face and normal()
-    bool has_quads_only_ = false;
 };
 
 template <class Measure>

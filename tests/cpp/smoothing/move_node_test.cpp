@@ -12,21 +12,27 @@ using namespace quad_grid;
 
 TEST(MoveNode, NeverInvertsAnElement) {
     const Grid g = make(6, 6, on_plane);
-    SurfaceMesh mesh = g.mesh();
-    distort(mesh, g, on_plane, 0.3);
-    ASSERT_GT(quality(mesh).min, 0.0);
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> anywhere(-1.0, 2.0);
-    std::uniform_int_distribution<int> node(1, 5);
-    for (int k = 0; k < 500; ++k) {
-        const Vertex v = g.vertex(node(random), node(random));
-        const double before = worst_quality(mesh, v, {0, 0, 1});
-        move_node(mesh, v, {anywhere(random), anywhere(random), 0.0});
-        const double after = worst_quality(mesh, v, {0, 0, 1});
-        EXPECT_GE(after, std::min(before, 0.5));
-        EXPECT_GT(after, 0.0);
+    const ReferenceSurface plane = g.reference();
+    // By the polynomial round the node, and by the surface, whose tangent plane will do here.
+    for (const ReferenceSurface* reference : {static_cast<const ReferenceSurface*>(nullptr), &plane}) {
+        SurfaceMesh mesh = g.mesh();
+        distort(mesh, g, on_plane, 0.3);
+        ASSERT_GT(quality(mesh).min, 0.0);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> anywhere(-1.0, 2.0);
+        std::uniform_int_distribution<int> node(1, 5);
+        int moves = 0;
+        for (int k = 0; k < 500; ++k) {
+            const Vertex v = g.vertex(node(random), node(random));
+            const double before = worst_quality(mesh, v, {0, 0, 1});
+            moves += move_node(mesh, v, {anywhere(random), anywhere(random), 0.0}, reference);
+            const double after = worst_quality(mesh, v, {0, 0, 1});
+            EXPECT_GE(after, std::min(before, 0.5));
+            EXPECT_GT(after, 0.0);
+        }
+        EXPECT_GT(moves, 50);
+        EXPECT_GT(quality(mesh).min, 0.0);
     }
-    EXPECT_GT(quality(mesh).min, 0.0);
 }
 
 TEST(MoveNode, KeepsWhatMustStay) {
@@ -87,15 +93,18 @@ TEST(MoveNode, MovedNodesAreNoInputNodesAnyMore) {
 
 TEST(MoveNode, AFoldedStarMayOnlyUnfold) {
     const Grid g = make(4, 4, on_plane);
-    SurfaceMesh mesh = g.mesh();
-    const Vertex v = g.vertex(2, 2);
-    const Point home = mesh.position(v);
-    mesh.position(v) = {0.9, 0.5, 0.0};  // beyond the neighbour on the right
-    ASSERT_LT(worst_quality(mesh, v, {0, 0, 1}), 0.0);
-    EXPECT_FALSE(move_node(mesh, v, {1.2, 0.5, 0.0}));
-    EXPECT_TRUE(move_node(mesh, v, home));
-    for (int i = 0; i < 5; ++i) move_node(mesh, v, home);
-    EXPECT_GT(worst_quality(mesh, v, {0, 0, 1}), 0.5);
+    const ReferenceSurface plane = g.reference();
+    for (const ReferenceSurface* reference : {static_cast<const ReferenceSurface*>(nullptr), &plane}) {
+        SurfaceMesh mesh = g.mesh();
+        const Vertex v = g.vertex(2, 2);
+        const Point home = mesh.position(v);
+        mesh.position(v) = {0.9, 0.5, 0.0};  // beyond the neighbour on the right
+        ASSERT_LT(worst_quality(mesh, v, {0, 0, 1}), 0.0);
+        EXPECT_FALSE(move_node(mesh, v, {0.98, 0.5, 0.0}, reference));
+        EXPECT_TRUE(move_node(mesh, v, home, reference));
+        for (int i = 0; i < 5; ++i) move_node(mesh, v, home, reference);
+        EXPECT_GT(worst_quality(mesh, v, {0, 0, 1}), 0.5);
+    }
 }
 
 }  // namespace
