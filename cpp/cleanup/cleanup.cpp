@@ -283,9 +283,9 @@ class Cleaner {
         for (std::size_t i = 0; i < proposals_.size(); ++i) {
             Proposal& p = proposals_[i];
             Region region{p.faces, {}, {}};
-            if (!trial_.editor().find_outline(region) || !trial_.editor().is_possible(region, p.replacement)) continue;
+            if (!trial_.editor().find_outline(region)) continue;
             p.gain = trial_.gain(region, p.replacement);
-            if (p.gain >= least_gain) order_.push_back(i);
+            if (p.gain >= least_gain && trial_.editor().is_possible(region, p.replacement)) order_.push_back(i);
         }
         std::stable_sort(order_.begin(), order_.end(),
                          [&](std::size_t a, std::size_t b) { return proposals_[a].gain > proposals_[b].gain; });
@@ -309,13 +309,20 @@ class Cleaner {
     void note_change(const Region& region) {
         ++operations_;
         changed_.resize(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+        nodes_.clear(mesh_.vertex_slots());
+        near_.clear(mesh_.vertex_slots());
+        const auto note = [&](Vertex v) {
+            if (!near_.mark(v)) return;
+            changed_[static_cast<std::size_t>(v.index())] = operations_;
+            push(v);
+        };
         for (const Face f : region.faces) {
             for (const HalfEdge h : mesh_.halfedges(f)) {
-                for (const HalfEdge k : mesh_.outgoing(mesh_.from(h))) {
-                    for (const Vertex v : {mesh_.from(k), mesh_.to(k)}) {
-                        changed_[static_cast<std::size_t>(v.index())] = operations_;
-                        push(v);
-                    }
+                const Vertex v = mesh_.from(h);
+                if (!nodes_.mark(v)) continue;
+                for (const HalfEdge k : mesh_.outgoing(v)) {
+                    note(v);
+                    note(mesh_.to(k));
                 }
             }
         }
@@ -329,6 +336,8 @@ class Cleaner {
     RegionGrowth growth_;
     std::queue<Vertex> queue_;
     std::vector<char> queued_;
+    Marks nodes_;
+    Marks near_;
     std::vector<std::int32_t> changed_;   ///< per node: number of the last operation near it
     std::vector<std::int32_t> repaired_;  ///< per face: number of the last operation when its repair was last tried, −1 = never
     std::vector<std::int32_t> repaired_at_a_price_;  ///< the same for repair_at_a_price()

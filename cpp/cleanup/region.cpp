@@ -20,7 +20,7 @@ bool RegionEditor::is_at_cut(Face f) const {
     return false;
 }
 
-bool RegionEditor::find_outline(Region& region) {
+bool RegionEditor::trace_outline(Region& region) {
     region.loop.clear();
     region.inner.clear();
     face_marks_.clear(mesh_.face_slots());
@@ -53,7 +53,12 @@ bool RegionEditor::find_outline(Region& region) {
             h = mesh_.rotated_cw(h);
         }
     } while (h != start);
-    if (region.loop.size() != border) return false;
+    return region.loop.size() == border;
+}
+
+bool RegionEditor::find_outline(Region& region) { return trace_outline(region) && find_inner(region); }
+
+bool RegionEditor::find_inner(Region& region) {
     for (const Face f : region.faces) {
         for (const HalfEdge k : mesh_.halfedges(f)) {
             const Vertex v = mesh_.from(k);
@@ -62,7 +67,7 @@ bool RegionEditor::find_outline(Region& region) {
             region.inner.push_back(v);
         }
     }
-    const std::size_t inner_edges = (4 * region.faces.size() - border) / 2;
+    const std::size_t inner_edges = (4 * region.faces.size() - region.loop.size()) / 2;
     return region.inner.size() + region.faces.size() == inner_edges + 1;
 }
 

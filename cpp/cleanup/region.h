@@ -68,6 +68,10 @@ class RegionEditor {
     /// Fills in the outline and the inner nodes of region.faces. @returns false unless the faces are quads outside of rows and
     /// away from cuts, and a disk with a simple outline, without fixed edges and fixed nodes inside
     bool find_outline(Region& region);
+    /// The two halves of find_outline(), for what grows a region: the outline, and then the inner nodes. @pre of find_inner():
+    /// trace_outline() of the same faces has just returned true
+    bool trace_outline(Region& region);
+    bool find_inner(Region& region);
 
     /// The replacement that changes nothing: what undoes another one.
     Replacement current(const Region& region) const;

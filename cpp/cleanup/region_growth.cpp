@@ -44,12 +44,12 @@ void RegionGrowth::add_faces_at(HalfEdge h, Region& region) {
 
 bool RegionGrowth::make_convex(Region& region, const Limits& limits) {
     for (;;) {
-        if (region.faces.size() > limits.faces || !trial_.editor().find_outline(region)) return false;
+        if (region.faces.size() > limits.faces || !trial_.editor().trace_outline(region)) return false;
         const std::size_t size = region.faces.size();
         for (std::size_t i = 0; i < region.loop.size(); ++i) {
             if (wanted_inside(region, i) > 2) add_faces_at(region.loop[i], region);
         }
-        if (region.faces.size() == size) return true;
+        if (region.faces.size() == size) return trial_.editor().find_inner(region);
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kTries = 4;
-constexpr double kAtRest = 0.03;  ///< steps below this over the length of an edge change nothing
+constexpr double kAtRest = 0.01;  ///< steps below this over the length of an edge change nothing
 /// Nodes are often put on a straight edge, where the worst element is 0: rounding must not choose its sign.
 constexpr double kUpright = 1e-9;
 

@@ -10,7 +10,7 @@ namespace anisoquad {
 /// Moves a node towards the target on the surface fitted to its one-ring (on the tangent plane where there is no fit), and
 /// back to the reference surface when one is given. A move is halved up to four times, then refused, when it inverts an
 /// element, or leaves the worst element round the node both worse than it was and worse than `good_enough`. Where the worst
-/// element is inverted already, a move that makes it less so passes. Steps below 0.03 of an edge's length are left out.
+/// element is inverted already, a move that makes it less so passes. Steps below a hundredth of an edge's length are left out.
 /// Corners, nodes on feature lines, boundary nodes and nodes of anisotropic rows are never moved.
 /// @param hint facet of the reference surface near the node, kept up to date; may be null
 /// @param good_enough scaled Jacobian; elements above it may get worse. 1: the worst element never gets worse
