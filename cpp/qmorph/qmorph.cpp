@@ -52,8 +52,8 @@ class Waiting {
     static constexpr int kLevelShift = 44;
     static constexpr int kTriesShift = 60;
     static constexpr std::int32_t kMostLevel = (1 << 16) - 1;
-    static constexpr int kDropped = 20;  ///< bits of a float that do not count
-    /// Eight classes to each power of two: the leading bits of a positive float grow with it.
+    static constexpr int kDropped = 19;  ///< bits of a float that do not count
+    /// Sixteen classes to each power of two: the leading bits of a positive float grow with it.
     static std::uint32_t length_class(double length) {
         return std::bit_cast<std::uint32_t>(static_cast<float>(length)) >> kDropped;
     }

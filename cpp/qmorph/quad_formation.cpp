@@ -41,8 +41,6 @@ namespace {
 constexpr int kMostEdges =
     32;  ///< of a node whose neighbours are smoothed: those of a fan's hub would take longer than all others together
 
-constexpr double kAtRest = 0.03;  ///< steps below this over the length of an edge: the next quads beside it undo them
-
 void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference, FacetHints& hints) {
     if (!is_movable(mesh, v)) return;
     bool on_quad = false;
@@ -53,7 +51,6 @@ void smooth_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* reference,
     }
     Point target;
     if (!(on_quad && on_triangle ? front_node_target(mesh, v, target) : laplacian_target(mesh, v, target))) return;
-    if ((target - mesh.position(v)).norm() < kAtRest * mesh.length(mesh.halfedge(v))) return;
     std::int32_t& hint = hints.of(v, mesh.vertex_slots());
     move_node(mesh, v, target, reference, &hint);
     hints.set_last(hint);
