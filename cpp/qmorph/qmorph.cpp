@@ -49,11 +49,11 @@ class Waiting {
 
   private:
     static constexpr int kLengthShift = 32;
-    static constexpr int kLevelShift = 44;
+    static constexpr int kLevelShift = 46;
     static constexpr int kTriesShift = 60;
-    static constexpr std::int32_t kMostLevel = (1 << 16) - 1;
-    static constexpr int kDropped = 19;  ///< bits of a float that do not count
-    /// Sixteen classes to each power of two: the leading bits of a positive float grow with it.
+    static constexpr std::int32_t kMostLevel = (1 << 14) - 1;
+    static constexpr int kDropped = 18;  ///< bits of a float that do not count
+    /// Thirty-two classes to each power of two: the leading bits of a positive float grow with it.
     static std::uint32_t length_class(double length) {
         return std::bit_cast<std::uint32_t>(static_cast<float>(length)) >> kDropped;
     }
