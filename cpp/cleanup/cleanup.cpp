@@ -320,10 +320,8 @@ class Cleaner {
             for (const HalfEdge h : mesh_.halfedges(f)) {
                 const Vertex v = mesh_.from(h);
                 if (!nodes_.mark(v)) continue;
-                for (const HalfEdge k : mesh_.outgoing(v)) {
-                    note(v);
-                    note(mesh_.to(k));
-                }
+                note(v);
+                for (const HalfEdge k : mesh_.outgoing(v)) note(mesh_.to(k));
             }
         }
     }

@@ -161,23 +161,21 @@ class FinalSmoother {
             return slide_on_line(mesh_, v) || slide_on_curve(mesh_, v, lines_);
         }
         if (hint_[index(v)] < 0) hint_[index(v)] = hint_of_neighbour(v);
+        if (mesh_.info(v).in_row) return slide_if_poor(v);
+        if (!is_movable(mesh_, v)) return false;
         // An untangled star first; then the mean; then the worst, where the mean alone leaves a poor element.
         double worst = 1.0;
-        bool moved = false;
         FlatStar flat;
-        if (is_movable(mesh_, v) && flat.gather(mesh_, v) && flat.has_quads_only()) {
-            moved = relax_flat(v, flat, worst);
-        } else {
-            Star star;
-            if (!star.gather(mesh_, v)) return false;
-            star.see_along_surface(reference_, hint_[index(v)]);
-            if (mesh_.info(v).in_row)
-                return star.quality(star.centre()).worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
-            if (!is_movable(mesh_, v)) return false;
-            moved = relax(v, star, worst);
-        }
+        const bool moved = flat.gather(mesh_, v) && flat.has_quads_only() ? relax_flat(v, flat, worst) : relax(v, worst);
         if (worst >= Star::kPoor) return moved;
         return optimise_node(mesh_, v, &reference_, &hint_[index(v)], Aim::worst_changing_corner) || moved;
+    }
+
+    bool slide_if_poor(Vertex v) {
+        Star star;
+        if (!star.gather(mesh_, v)) return false;
+        star.see_along_surface(reference_, hint_[index(v)]);
+        return star.quality(star.centre()).worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
     }
 
     /// A node that was visited before spares the search from the tree's root; the star of a node lies in its block, or no other
@@ -194,7 +192,10 @@ class FinalSmoother {
     /// scaled Jacobian of a plane becomes 0.998, its 5th percentile 0.993; with the mean of the quads' least sines, whose kinks
     /// hold the nodes, 0.994 and 0.968.
     /// @param worst receives Quality::worst_changing in the end; where a face is inverted, the node stays
-    bool relax(Vertex v, const Star& star, double& worst) {
+    bool relax(Vertex v, double& worst) {
+        Star star;
+        if (!star.gather(mesh_, v)) return false;
+        star.see_along_surface(reference_, hint_[index(v)]);
         const auto quality = [&](const Point& p) { return star.quality(p); };
         const Star::Quality before = quality(star.centre());
         worst = before.worst_changing;

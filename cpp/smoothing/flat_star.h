@@ -49,11 +49,11 @@ class FlatStar {
   private:
     struct Wedge {
         Eigen::Vector2d next;
-        Eigen::Vector2d opposite;  ///< of a triangle: the previous node
         Eigen::Vector2d previous;
         double length;  ///< of the edge to the next node, the node being at (0,0)
         bool quad;
         // Quads only.
+        Eigen::Vector2d opposite;
         Eigen::Vector2d after_next;       ///< unit, from the next node to the opposite one
         Eigen::Vector2d before_previous;  ///< unit, from the opposite node to the previous one
         double at_opposite;               ///< sine of the corner that stays as it is

@@ -296,16 +296,16 @@ shapes::Shape thin_wedge(double degrees, int cells) {
 }
 
 TEST(QuadMesh, BetweenLinesThatMeetAtASmallAngleNoCornerIsFlat) {
-    double shares = 0.0;  // of the lines' angle, that of the flattest corner; two quads that share it have half of it each
+    double shares = 0.0;  // of the lines' angle, that of the flattest corner
     int cases = 0;
     for (const double degrees : {0.4, 1.0, 2.0}) {
-        for (const int cells : {10, 13, 15, 19, 26}) {
+        for (const int cells : {10, 15, 26}) {
             SCOPED_TRACE(std::to_string(degrees) + "°, " + std::to_string(cells));
             const shapes::Shape shape = thin_wedge(degrees, cells);
             const QuadMeshResult result = quad_mesh(shape.points, shape.triangles, {});
             EXPECT_EQ(result.report.inverted, 0);
             const double share = result.report.scaled_jacobian.min / std::sin(degrees * std::numbers::pi / 180.0);
-            EXPECT_GT(share, 0.1);
+            EXPECT_GT(share, 0.48);  // two quads that share the corner have half of it each, but for a search's last step
             shares += share;
             ++cases;
         }

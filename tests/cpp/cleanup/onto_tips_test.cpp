@@ -11,7 +11,7 @@ namespace {
 
 /// A cone filled with quads, its top and the surface.
 struct FilledCone {
-    stages::Prepared prepared{shapes::cone(18, 8, 1.5)};
+    stages::Prepared prepared{shapes::cone(16, 8, 1.5)};
     SurfaceMesh& mesh = prepared.mesh;
     std::vector<Tip> tips = find_tips(mesh);
 
