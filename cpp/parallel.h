@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <thread>
 #include <vector>
 
 #include "context.h"
@@ -33,17 +34,21 @@ void for_each(std::int32_t n, Function f) {
     });
 }
 
-/// Elements of so many blocks that all threads have work, and that they take a few hundredths of a second.
-inline std::int32_t blocks_at_once() { return kBlock * std::max(4, 2 * tbb::this_task_arena::max_concurrency()); }
+/// Calls f(i) for i in [0, n), each call a task of its own; the calling thread asks before each of its tasks whether to go on.
+/// @throws Error{cancelled}
+template <class Function>
+void for_each_task(std::int32_t n, const Context& context, Function f) {
+    const std::thread::id caller = std::this_thread::get_id();
+    tbb::parallel_for(std::int32_t{0}, n, [&](std::int32_t i) {
+        if (std::this_thread::get_id() == caller) context.breathe();
+        f(i);
+    });
+}
 
-/// The same, and asks between groups of blocks whether to go on. @throws Error{cancelled}
+/// for_blocks() that asks whether to go on. @throws Error{cancelled}
 template <class Function>
 void for_blocks(std::int32_t n, const Context& context, Function f) {
-    const std::int32_t group = blocks_at_once();
-    for (std::int32_t start = 0; start < n; start += group) {
-        context.breathe();
-        for_blocks(std::min(group, n - start), [&](std::int32_t first, std::int32_t last) { f(start + first, start + last); });
-    }
+    for_each_task((n + kBlock - 1) / kBlock, context, [&](std::int32_t b) { f(b * kBlock, std::min(n, (b + 1) * kBlock)); });
 }
 
 template <class Function>
@@ -53,7 +58,7 @@ void for_each(std::int32_t n, const Context& context, Function f) {
     });
 }
 
-/// Combines f(first, last) of all blocks in their order, and asks between groups of blocks whether to go on.
+/// Combines f(first, last) of all blocks in their order, and asks whether to go on.
 /// @param combine (so far, of a block) → together
 /// @throws Error{cancelled}
 template <class Value, class Function, class Combine>

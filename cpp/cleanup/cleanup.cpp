@@ -120,7 +120,7 @@ class Cleaner {
         for (std::int32_t i = 0; i < mesh_.vertex_slots() && may_try(); ++i) {
             const Vertex v(i);
             breathe();
-            if (!is_irregular(v) || last_change(v) < last_round_) continue;
+            if (last_change(v) < last_round_ || !is_irregular(v)) continue;
             if (!growth_.improve(v, {}, region)) continue;
             note_change(region);
             work_off();

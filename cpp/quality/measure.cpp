@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -120,25 +121,28 @@ class Measurer {
     /// Folded quads, those with a corner of 180°, and those turned over as a whole: against the surface below them and against a
     /// neighbour. The neighbour is asked too because on a thin body the closest facet can be one of the other side.
     void count_inverted() {
-        report_.inverted = 0;
-        std::int32_t hint = -1;
-        for (const std::size_t i : quads_) {
-            if (!(scaled_jacobian(mesh_, face(i)) > kLeastUpright)) {
-                ++report_.inverted;
-                continue;
-            }
-            const Vector3d normal = doubled_area_vector_of_quad(mesh_, face(i));
-            bool against_neighbour = false;
-            for (const HalfEdge h : mesh_.halfedges(face(i))) {
-                const Face other = mesh_.face(M::twin(h));
-                against_neighbour |=
-                    !mesh_.is_constrained(M::edge(h)) && normal.dot(doubled_area_vector_of_quad(mesh_, other)) < 0.0;
-            }
-            if (!against_neighbour) continue;
-            const SurfacePoint below = reference_.closest(face_middle(mesh_, face(i)), ReferenceSurface::kAnyPatch, hint);
-            hint = below.facet;
-            report_.inverted += normal.dot(below.normal) < 0.0;
+        const auto of_block = [&](std::int32_t first, std::int32_t last) {
+            std::int32_t inverted = 0;
+            std::int32_t hint = -1;
+            for (std::int32_t i = first; i < last; ++i) inverted += is_inverted(face(quads_[at(i)]), hint) ? 1 : 0;
+            return inverted;
+        };
+        report_.inverted = reduce_blocks(static_cast<std::int32_t>(quads_.size()), context_, 0, of_block, std::plus<>());
+    }
+
+    /// @param hint facet near the quad; receives the one below it where the neighbours leave a doubt
+    bool is_inverted(Face f, std::int32_t& hint) const {
+        if (!(scaled_jacobian(mesh_, f) > kLeastUpright)) return true;
+        const Vector3d normal = doubled_area_vector_of_quad(mesh_, f);
+        bool against_neighbour = false;
+        for (const HalfEdge h : mesh_.halfedges(f)) {
+            const Face other = mesh_.face(M::twin(h));
+            against_neighbour |= !mesh_.is_constrained(M::edge(h)) && normal.dot(doubled_area_vector_of_quad(mesh_, other)) < 0.0;
         }
+        if (!against_neighbour) return false;
+        const SurfacePoint below = reference_.closest(face_middle(mesh_, f), ReferenceSurface::kAnyPatch, hint);
+        hint = below.facet;
+        return normal.dot(below.normal) < 0.0;
     }
 
     /// Angle (degrees) of the face of twin(h) at from(h), between h and the next half-edge clockwise.

@@ -1,8 +1,10 @@
 #include "smoothing/final_smoothing.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <functional>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesh/z_curve.h"
@@ -29,6 +31,7 @@ constexpr double kRelaxation =
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
+constexpr std::int32_t kNodesOfSlab = 1 << 14;
 constexpr int kFirstOfRows = 3;  ///< sweep from which nodes of rows slide: not for what the nodes beside them can better
 
 struct Statistics {
@@ -73,27 +76,22 @@ class FinalSmoother {
           first_of_rows_(std::min(kFirstOfRows, sweeps)),
           hint_(static_cast<std::size_t>(mesh.vertex_slots()), -1),
           awake_(static_cast<std::size_t>(mesh.vertex_slots()), 0) {
-        put_in_blocks();
+        find_rounds();
     }
 
-    /// Visits the nodes that are due: the blocks side by side, then the nodes whose star reaches into another block.
+    /// Visits the nodes that are due: those of a list one after the other, the lists of a round side by side.
     /// @returns number of moves
     /// @throws Error{cancelled}
     int sweep(int number, const Context& context) {
-        const auto visit_nodes = [&](std::span<const Vertex> nodes) {
-            int moves = 0;
-            for (const Vertex v : nodes) moves += visit_if_due(v, number) ? 1 : 0;
-            return moves;
-        };
-        const auto visit_block = [&](std::int32_t first, std::int32_t last) {
-            return visit_nodes(
-                std::span(inner_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
-        };
-        int moves = reduce_blocks(static_cast<std::int32_t>(inner_.size()), context, 0, visit_block, std::plus<>());
-        const auto at_once = static_cast<std::size_t>(blocks_at_once());
-        for (std::size_t start = 0; start < between_.size(); start += at_once) {
-            context.breathe();
-            moves += visit_nodes(std::span(between_).subspan(start, std::min(at_once, between_.size() - start)));
+        int moves = 0;
+        for (const Round& round : rounds_) {
+            const auto lists = static_cast<std::int32_t>(round.size());
+            std::vector<int> moves_of(round.size(), 0);
+            for_each_task(lists, context, [&](std::int32_t i) {
+                for (const Vertex v : round[static_cast<std::size_t>(i)])
+                    moves_of[static_cast<std::size_t>(i)] += visit_if_due(v, number) ? 1 : 0;
+            });
+            moves = std::accumulate(moves_of.begin(), moves_of.end(), moves);
         }
         return moves;
     }
@@ -101,9 +99,12 @@ class FinalSmoother {
   private:
     static std::size_t index(Vertex v) { return static_cast<std::size_t>(v.index()); }
 
-    /// Blocks of nodes that are near each other, in the order of the slots within a block. In inner_ the nodes of a block that is
-    /// not full are followed by invalid ones.
-    void put_in_blocks() {
+    /// Lists of nodes. Stars of nodes of different lists share no node.
+    using Round = std::vector<std::vector<Vertex>>;
+
+    /// First the nodes whose star lies in one block, in a list for each block, which are near each other; then of the rest, near
+    /// the borders of the blocks, those whose star lies in one slab; then all others, so few that they come one after the other.
+    void find_rounds() {
         std::vector<Vertex> nodes;
         std::vector<Point> places;
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
@@ -113,29 +114,53 @@ class FinalSmoother {
             places.push_back(mesh_.position(v));
         }
         const std::vector<std::int32_t> order = order_along_z_curve(places);
-        std::vector<std::int32_t> block(static_cast<std::size_t>(mesh_.vertex_slots()), -1);
+        std::vector<std::int32_t> list(static_cast<std::size_t>(mesh_.vertex_slots()), -1);
         for (std::size_t i = 0; i < order.size(); ++i)
-            block[index(nodes[static_cast<std::size_t>(order[i])])] = static_cast<std::int32_t>(i) / kBlock;
-        const auto is_inner = [&](Vertex v) {
-            for (const HalfEdge h : mesh_.outgoing(v)) {
-                if (block[index(mesh_.to(h))] != block[index(v)]) return false;
-                if (mesh_.is_boundary(h)) continue;
-                for (const HalfEdge g : mesh_.halfedges(mesh_.face(h))) {
-                    if (block[index(mesh_.from(g))] != block[index(v)]) return false;
-                }
-            }
-            return true;
-        };
-        inner_.assign(order.size(), Vertex());
-        std::vector<std::size_t> next(order.size() / kBlock + 1);
-        for (std::size_t b = 0; b < next.size(); ++b) next[b] = b * kBlock;
-        for (const Vertex v : nodes) {
-            if (is_inner(v)) {
-                inner_[next[static_cast<std::size_t>(block[index(v)])]++] = v;
-            } else {
-                between_.push_back(v);
+            list[index(nodes[static_cast<std::size_t>(order[i])])] = static_cast<std::int32_t>(i) / kBlock;
+        add_round(nodes, list);
+
+        Eigen::AlignedBox3d box;
+        for (const Point& p : places) box.extend(p);
+        int axis = 0;
+        if (!box.isEmpty()) box.sizes().maxCoeff(&axis);
+        const std::int32_t slabs = std::max(1, static_cast<std::int32_t>(places.size()) / kNodesOfSlab);
+        const double width = box.isEmpty() ? 0.0 : box.sizes()[axis] / slabs;
+        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            const double place = mesh_.position(Vertex(i))[axis] - box.min()[axis];
+            list[static_cast<std::size_t>(i)] =
+                width > 0.0 ? std::clamp(static_cast<std::int32_t>(place / width), 0, slabs - 1) : 0;
+        }
+        add_round(nodes, list);
+        if (!nodes.empty()) rounds_.push_back({nodes});
+    }
+
+    /// @param nodes in the order of their slots; those that get into a list of the round are taken out
+    /// @param list per vertex slot, 0 …
+    void add_round(std::vector<Vertex>& nodes, std::span<const std::int32_t> list) {
+        std::vector<char> is_inner(nodes.size());
+        for_each(static_cast<std::int32_t>(nodes.size()), [&](std::int32_t i) {
+            is_inner[static_cast<std::size_t>(i)] = is_star_in_list(nodes[static_cast<std::size_t>(i)], list) ? 1 : 0;
+        });
+        Round round;
+        std::vector<Vertex> others;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const auto l = static_cast<std::size_t>(list[index(nodes[i])]);
+            if (round.size() <= l) round.resize(l + 1);
+            (is_inner[i] ? round[l] : others).push_back(nodes[i]);
+        }
+        nodes = std::move(others);
+        rounds_.push_back(std::move(round));
+    }
+
+    bool is_star_in_list(Vertex v, std::span<const std::int32_t> list) const {
+        for (const HalfEdge h : mesh_.outgoing(v)) {
+            if (list[index(mesh_.to(h))] != list[index(v)]) return false;
+            if (mesh_.is_boundary(h)) continue;
+            for (const HalfEdge g : mesh_.halfedges(mesh_.face(h))) {
+                if (list[index(mesh_.from(g))] != list[index(v)]) return false;
             }
         }
+        return true;
     }
 
     /// Something moved round the node in this sweep or the last one; nodes of rows wait for their first sweep, in which all are
@@ -146,7 +171,7 @@ class FinalSmoother {
     }
 
     bool visit_if_due(Vertex v, int number) {
-        if (!v.is_valid() || !is_due(v, number)) return false;
+        if (!is_due(v, number)) return false;
         const Point before = mesh_.position(v);
         const double edge = mesh_.length(mesh_.halfedge(v));
         if (!visit(v)) return false;
@@ -178,8 +203,8 @@ class FinalSmoother {
         return star.quality(star.centre()).worst < Star::kPoor && slide_in_row(mesh_, v, &reference_, &hint_[index(v)]);
     }
 
-    /// A node that was visited before spares the search from the tree's root; the star of a node lies in its block, or no other
-    /// block runs, so that the facet is the same for any number of threads.
+    /// A node that was visited before spares the search from the tree's root; the star of a node lies in its list, or no other
+    /// list is visited, so that the facet is the same for any number of threads.
     std::int32_t hint_of_neighbour(Vertex v) const {
         for (const HalfEdge h : mesh_.outgoing(v)) {
             const std::int32_t hint = hint_[index(mesh_.to(h))];
@@ -250,9 +275,8 @@ class FinalSmoother {
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;
     const ReferenceLines& lines_;
-    int first_of_rows_;                ///< sweep from which nodes of rows slide
-    std::vector<Vertex> inner_;        ///< nodes whose star lies in their block, by blocks
-    std::vector<Vertex> between_;      ///< all others
+    int first_of_rows_;  ///< sweep from which nodes of rows slide
+    std::vector<Round> rounds_;
     std::vector<std::int32_t> hint_;   ///< facet of the reference surface near each node
     std::vector<std::int32_t> awake_;  ///< last sweep in which something near the node moved
 };
