@@ -94,22 +94,23 @@ Point Star::middle(const Wedge& w, const Point& p) const {
     return w.quad ? Point(0.25 * (p + w.next + w.opposite + w.previous)) : Point((p + w.next + w.previous) / 3.0);
 }
 
-double Star::distance(const ReferenceSurface& reference, const Point& p) const {
+double Star::distance(const ReferenceSurface& reference, const Point& p, double enough) const {
     double distance = 0.0;
     std::int32_t hint = hint_;
     for (int i = 0; i < size_; ++i) {
         const Wedge& w = wedges_[static_cast<std::size_t>(i)];
-        const SurfacePoint closest = reference.closest(middle(w, p), patch_, hint);
-        hint = closest.facet;
-        distance = std::max({distance, closest.distance, reference.closest(0.5 * (p + w.next), patch_, hint).distance});
+        distance = std::max(distance, reference.distance(middle(w, p), patch_, enough, hint));
+        std::int32_t of_edge = hint;
+        distance = std::max(distance, reference.distance(0.5 * (p + w.next), patch_, enough, of_edge));
     }
     return distance;
 }
 
 bool Star::stays_near(const ReferenceSurface& reference, const Point& p) const {
     if (least_cosine_ >= kStraight) return true;
-    const double after = distance(reference, p);
-    return after <= kNear * reference.diagonal() || after <= distance(reference, centre_);
+    const double near = kNear * reference.diagonal();
+    const double after = distance(reference, p, near);
+    return after <= near || after <= distance(reference, centre_, near);
 }
 
 /// The direction in which all faces lie: the eigenvector of the normals' covariance with the smallest eigenvalue.

@@ -105,7 +105,8 @@ class Star {
     };
     Eigen::Vector3d area_vector(const Wedge& wedge) const;
     Point middle(const Wedge& wedge, const Point& p) const;
-    double distance(const ReferenceSurface& reference, const Point& p) const;
+    /// Largest of the middles, with the node at p; exact where it is above `enough`.
+    double distance(const ReferenceSurface& reference, const Point& p, double enough) const;
     void find_fold();
     FaceQuality quality(const Wedge& wedge, const Point& p) const;
 

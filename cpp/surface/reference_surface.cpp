@@ -112,6 +112,12 @@ SurfacePoint ReferenceSurface::closest(const Point& p, const Sheet& sheet, std::
     return {c.position, c.facet, std::sqrt(c.distance2), interpolated_normal(c)};
 }
 
+double ReferenceSurface::distance(const Point& p, std::int32_t patch, double enough, std::int32_t& hint) const {
+    const FacetTree::Hit c = tree_.closest_or_within(p, patch, hint, enough * enough);
+    hint = c.facet;
+    return c.facet >= 0 ? std::sqrt(c.distance2) : 0.0;
+}
+
 TargetPlace ReferenceSurface::place(const Point& p, std::int32_t patch, std::int32_t& hint) const {
     const FacetTree::Hit c = tree_.closest(p, patch, hint);
     if (c.facet >= 0) hint = c.facet;

@@ -52,6 +52,10 @@ class ReferenceSurface {
     /// The same, faster when `hint` is a facet near p (-1: none), see FacetTree::closest().
     SurfacePoint closest(const Point& p, const Sheet& sheet, std::int32_t hint) const;
 
+    /// Distance of p from its patch, exact where it is above `enough`: a walk from the hint that comes nearer than that does.
+    /// @param hint in: facet near p or -1, out: facet of the point that was found
+    double distance(const Point& p, std::int32_t patch, double enough, std::int32_t& hint) const;
+
     /// Closest point, lifted off its facet by the quadratic that has the corners' normals, so that a curved surface is not
     /// flattened onto its facets (α = 1/2 of @cite boubekeur2008phong is exact for quadrics). The lift is zero on flat facets
     /// and never more than a tenth of the facet's height or 5e-4 of the surface's diagonal.
