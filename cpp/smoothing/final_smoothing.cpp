@@ -18,6 +18,7 @@
 #include "smoothing/optimisation.h"
 #include "smoothing/row_end_smoothing.h"
 #include "smoothing/row_smoothing.h"
+#include "smoothing/shape_relaxation.h"
 #include "smoothing/star.h"
 
 namespace anisoquad {
@@ -303,6 +304,7 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
     release_nodes_without_rows(mesh);
     if (options.smoothing_passes > 0) result.moves += smooth_rows(mesh, &reference).moved;
 
+    if (options.smoothing_passes > 0) result.moves += relax_shapes(mesh, reference, context);
     FinalSmoother smoother(mesh, reference, lines, options.smoothing_passes);
     while (result.sweeps < options.smoothing_passes) {
         const double done = static_cast<double>(result.sweeps) / options.smoothing_passes;

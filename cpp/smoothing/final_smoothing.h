@@ -18,7 +18,8 @@ struct FinalSmoothingResult {
     int inverted = 0;  ///< elements that are still inverted
 };
 
-/// The final smoothing of the finished mesh: anisotropic rows by smooth_rows(); all other nodes by guarded sweeps that raise the
+/// The final smoothing of the finished mesh: anisotropic rows by smooth_rows(); all other nodes by relax_shapes(), which is fast
+/// where the mesh is uneven over many quads, then by guarded sweeps that raise the
 /// mean scaled Jacobian, inverted and poor elements by optimise_node(), nodes of rows once the others have settled; until neither
 /// the worst nor the mean gets better, at most Options::smoothing_passes sweeps. Only nodes round which something moved are
 /// visited again. Nodes are brought back to their patch of the reference surface. Nodes on straight feature lines slide along

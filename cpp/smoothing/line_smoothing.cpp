@@ -114,16 +114,18 @@ bool slide_on_line(SurfaceMesh& mesh, Vertex v) {
     if (!star.gather(mesh, v)) return false;
     // Across a sharp line there is no common normal: every face must stay as it is turned now.
     star.use_face_normals();
-    const double before = score(star, star.centre());
+    const Star::Quality old = star.quality(star.centre());
+    const double before = old.score();
+    const double least = std::min(old.worst, Star::kPoor);
     double best = before;
     const double start = t;
     for (double step = kFirstStep; step >= kSmallestStep;) {
         double found = t;
         for (const double trial : {t - step, t + step}) {
             if (trial < kMargin || trial > 1.0 - kMargin) continue;
-            const double s = score(star, a + trial * chord);
-            if (s > best + kTie) {
-                best = s;
+            const Star::Quality q = star.quality(a + trial * chord);
+            if (q.score() > best + kTie && q.worst >= least) {
+                best = q.score();
                 found = trial;
             }
         }

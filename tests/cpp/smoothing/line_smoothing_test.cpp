@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "quad_grid.h"
+#include "smoothing/star.h"
 
 namespace anisoquad {
 namespace {
@@ -34,6 +35,24 @@ TEST(LineSmoothing, LeavesBentLinesCornersAndRowsAlone) {
     EXPECT_TRUE(slide_on_line(mesh, g.vertex(0, 2))) << "straight";
     EXPECT_GT(mesh.position(g.vertex(0, 2)).y(), mesh.position(g.vertex(0, 1)).y());
     EXPECT_LT(mesh.position(g.vertex(0, 2)).y(), mesh.position(g.vertex(0, 3)).y());
+}
+
+TEST(LineSmoothing, NoPoorElementBecomesPoorer) {
+    const Grid g = make(12, 4, on_plane);
+    int moved = 0;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        SurfaceMesh mesh = g.mesh();
+        distort(mesh, g, on_plane, 0.6, seed);
+        for (int i = 1; i < 12; ++i) {
+            Star star;
+            ASSERT_TRUE(star.gather(mesh, g.vertex(i, 0)));
+            star.use_face_normals();
+            const double before = star.quality(star.centre()).worst;
+            moved += slide_on_line(mesh, g.vertex(i, 0)) ? 1 : 0;
+            EXPECT_GE(star.quality(mesh.position(g.vertex(i, 0))).worst, std::min(before, Star::kPoor)) << seed << ", " << i;
+        }
+    }
+    EXPECT_GT(moved, 100);
 }
 
 }  // namespace
