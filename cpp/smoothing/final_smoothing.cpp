@@ -233,7 +233,7 @@ class FinalSmoother {
     }
 
     /// The same in the tangent plane, where the derivatives are known.
-    bool relax_flat(Vertex v, const FlatStar& star, double& worst) {
+    bool relax_flat(Vertex v, FlatStar& star, double& worst) {
         const FlatStar::Expansion here = star.expand();
         worst = here.quality.worst_changing;
         if (here.quality.worst <= 0.0) return false;
@@ -247,7 +247,7 @@ class FinalSmoother {
     /// Makes the step, or as much of it as raises the score and leaves no poor element poorer.
     /// @param star Star or FlatStar; @param place point in space of x; @param quality of the faces with the node at a point
     template <class AnyStar, class Place, class Quality>
-    bool step(Vertex v, const AnyStar& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place,
+    bool step(Vertex v, AnyStar& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place,
               const Quality& quality, double& worst) {
         std::int32_t facet = hint_[index(v)];
         for (int i = 0; i < 3 && x.norm() > kLeastStep * star.edge_length(); ++i, x *= 0.5) {

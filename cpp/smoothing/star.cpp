@@ -70,6 +70,7 @@ bool Star::gather(const SurfaceMesh& mesh, Vertex v) {
     least_cosine_ = 1.0;
     upright_ = 0.0;
     is_on_fold_ = false;
+    distance_before_.reset();
     for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
         const double size = area[i].norm();
         if (size > 0.0) least_cosine_ = std::min(least_cosine_, area[i].dot(normal_) / size);
@@ -94,23 +95,34 @@ Point Star::middle(const Wedge& w, const Point& p) const {
     return w.quad ? Point(0.25 * (p + w.next + w.opposite + w.previous)) : Point((p + w.next + w.previous) / 3.0);
 }
 
-double Star::distance(const ReferenceSurface& reference, const Point& p, double enough) const {
-    double distance = 0.0;
+template <class Visit>
+bool Star::for_middles(const ReferenceSurface& reference, const Point& p, double enough, const Visit& visit) const {
     std::int32_t hint = hint_;
     for (int i = 0; i < size_; ++i) {
         const Wedge& w = wedges_[static_cast<std::size_t>(i)];
-        distance = std::max(distance, reference.distance(middle(w, p), patch_, enough, hint));
+        if (!visit(reference.distance(middle(w, p), patch_, enough, hint))) return false;
         std::int32_t of_edge = hint;
-        distance = std::max(distance, reference.distance(0.5 * (p + w.next), patch_, enough, of_edge));
+        if (!visit(reference.distance(0.5 * (p + w.next), patch_, enough, of_edge))) return false;
     }
-    return distance;
+    return true;
 }
 
-bool Star::stays_near(const ReferenceSurface& reference, const Point& p) const {
+bool Star::is_within(const ReferenceSurface& reference, const Point& p, double most) const {
+    return for_middles(reference, p, most, [most](double distance) { return distance <= most; });
+}
+
+bool Star::stays_near(const ReferenceSurface& reference, const Point& p) {
     if (least_cosine_ >= kStraight) return true;
     const double near = kNear * reference.diagonal();
-    const double after = distance(reference, p, near);
-    return after <= near || after <= distance(reference, centre_, near);
+    if (is_within(reference, p, near)) return true;
+    if (!distance_before_) {
+        distance_before_ = 0.0;
+        for_middles(reference, centre_, near, [this](double distance) {
+            distance_before_ = std::max(*distance_before_, distance);
+            return true;
+        });
+    }
+    return *distance_before_ > near && is_within(reference, p, *distance_before_);
 }
 
 /// The direction in which all faces lie: the eigenvector of the normals' covariance with the smallest eigenvalue.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
 #include "mesh/surface_mesh.h"
 #include "surface/reference_surface.h"
@@ -43,7 +44,7 @@ class Star {
     bool is_on_fold() const { return is_on_fold_; }
     /// With the node at p, the middles of the faces and of the node's edges don't leave the surface by more than they did or is
     /// small. Always true where the surface is hardly curved.
-    bool stays_near(const ReferenceSurface& reference, const Point& p) const;
+    bool stays_near(const ReferenceSurface& reference, const Point& p);
     /// The step without its part across the fold.
     Eigen::Vector3d along_fold(const Eigen::Vector3d& step) const { return step.dot(fold_axis_) * fold_axis_; }
 
@@ -105,8 +106,12 @@ class Star {
     };
     Eigen::Vector3d area_vector(const Wedge& wedge) const;
     Point middle(const Wedge& wedge, const Point& p) const;
-    /// Largest of the middles, with the node at p; exact where it is above `enough`.
-    double distance(const ReferenceSurface& reference, const Point& p, double enough) const;
+    /// Visits the distances of the faces' and the edges' middles from the surface, with the node at p, as long as visit(distance)
+    /// returns true. They are exact where they are above `enough`. @returns whether all were visited
+    template <class Visit>
+    bool for_middles(const ReferenceSurface& reference, const Point& p, double enough, const Visit& visit) const;
+    /// No middle is farther than `most` from the surface.
+    bool is_within(const ReferenceSurface& reference, const Point& p, double most) const;
     void find_fold();
     FaceQuality quality(const Wedge& wedge, const Point& p) const;
 
@@ -119,6 +124,7 @@ class Star {
     std::int32_t hint_ = -1;  ///< facet near the node
     double upright_ = 0.0;    ///< least cosine between a face and the side that it is seen from
     bool is_on_fold_ = false;
+    std::optional<double> distance_before_;                ///< with the node where it was, once it was asked for
     Eigen::Vector3d fold_axis_ = Eigen::Vector3d::Zero();  ///< zero at a tip
     double least_cosine_ = 1.0;                            ///< between a face and normal()
 };
