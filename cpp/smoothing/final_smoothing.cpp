@@ -32,7 +32,7 @@ constexpr double kRelaxation =
 constexpr double kAtRest = 5e-3;     ///< moves below this, over the edge length, wake no neighbour
 constexpr double kLeastGain = 1e-4;  ///< of the mean or the smallest scaled Jacobian, for another sweep
 constexpr double kLeastScoreGain = 1e-6;
-constexpr std::int32_t kNodesOfSlab = 1 << 14;
+constexpr std::int32_t kNodesOfSlab = 1 << 14;  ///< in the mean
 constexpr int kFirstOfRows = 3;  ///< sweep from which nodes of rows slide: not for what the nodes beside them can better
 
 struct Statistics {
@@ -127,9 +127,10 @@ class FinalSmoother {
         const std::int32_t slabs = std::max(1, static_cast<std::int32_t>(places.size()) / kNodesOfSlab);
         const double width = box.isEmpty() ? 0.0 : box.sizes()[axis] / slabs;
         for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            if (list[static_cast<std::size_t>(i)] < 0) continue;  // not in use, and anywhere
             const double place = mesh_.position(Vertex(i))[axis] - box.min()[axis];
             list[static_cast<std::size_t>(i)] =
-                width > 0.0 ? std::clamp(static_cast<std::int32_t>(place / width), 0, slabs - 1) : 0;
+                width > 0.0 ? static_cast<std::int32_t>(std::clamp(place / width, 0.0, slabs - 1.0)) : 0;
         }
         add_round(nodes, list);
         if (!nodes.empty()) rounds_.push_back({nodes});
@@ -247,8 +248,8 @@ class FinalSmoother {
     /// Makes the step, or as much of it as raises the score and leaves no poor element poorer.
     /// @param star Star or FlatStar; @param place point in space of x; @param quality of the faces with the node at a point
     template <class AnyStar, class Place, class Quality>
-    bool step(Vertex v, AnyStar& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place,
-              const Quality& quality, double& worst) {
+    bool step(Vertex v, AnyStar& star, const Star::Quality& before, Eigen::Vector2d x, const Place& place, const Quality& quality,
+              double& worst) {
         std::int32_t facet = hint_[index(v)];
         for (int i = 0; i < 3 && x.norm() > kLeastStep * star.edge_length(); ++i, x *= 0.5) {
             const Point p = reference_.project(place(x), {star.patch(), star.normal()}, facet);
