@@ -303,9 +303,11 @@ FinalSmoothingResult smooth_mesh(SurfaceMesh& mesh, const ReferenceSurface& refe
     result.min_before = last.min;
     result.mean_before = last.mean;
     release_nodes_without_rows(mesh);
-    if (options.smoothing_passes > 0) result.moves += smooth_rows(mesh, &reference).moved;
+    if (options.smoothing_passes > 0) {
+        result.moves += smooth_rows(mesh, &reference).moved;
+        result.moves += relax_shapes(mesh, reference, context);
+    }
 
-    if (options.smoothing_passes > 0) result.moves += relax_shapes(mesh, reference, context);
     FinalSmoother smoother(mesh, reference, lines, options.smoothing_passes);
     while (result.sweeps < options.smoothing_passes) {
         const double done = static_cast<double>(result.sweeps) / options.smoothing_passes;

@@ -19,12 +19,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSweeps = 30;
+constexpr int kRounds = 3;         ///< after each of which the nodes are brought back onto the surface
+constexpr int kSweeps = 10;        ///< of a round
 constexpr double kMomentum = 0.9;  ///< of the last move that goes on
 constexpr double kStep = 0.9;      ///< of the way that the quads ask for
 constexpr double kSquare = 0.2;    ///< of the way from a rectangle to the square of its area
-constexpr int kSweepsOffSurface = 10;
-constexpr int kHalves = 3;  ///< of a node's way back, before it goes back to where it was
+constexpr int kHalves = 3;         ///< of a node's way back, before it goes back to where it was
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -60,10 +60,11 @@ class ShapeRelaxation {
         find_quads();
         velocity_.assign(at(free_), Vector3d::Zero());
         hint_.assign(at(free_), -1);
-        for (int sweep = 1; sweep <= kSweeps; ++sweep) {
-            for_each(quad_count(), context_, [&](std::int32_t q) { ask(q); });
-            for_each(free_, context_, [&](std::int32_t i) { move(i); });
-            if (sweep % kSweepsOffSurface != 0 && sweep != kSweeps) continue;
+        for (int round = 0; round < kRounds; ++round) {
+            for (int sweep = 0; sweep < kSweeps; ++sweep) {
+                for_each(quad_count(), context_, [&](std::int32_t q) { ask(q); });
+                for_each(free_, context_, [&](std::int32_t i) { move(i); });
+            }
             for_each(free_, context_, [&](std::int32_t i) { turn_normal(i); });
             for_blocks(free_, context_, [&](std::int32_t first, std::int32_t last) { project(first, last); });
         }
