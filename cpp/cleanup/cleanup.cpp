@@ -11,6 +11,7 @@
 #include "cleanup/trial.h"
 #include "mesh/area_vector.h"
 #include "mesh/face_middle.h"
+#include "parallel.h"
 #include "quality/metrics.h"
 
 namespace anisoquad {
@@ -30,7 +31,7 @@ constexpr double kPoor = 0.35;         ///< scaled Jacobian of quads that are re
 constexpr Trial::Demands kRepair{0, 0.4, 0.1};
 constexpr double kUnusable = 0.05;  ///< scaled Jacobian of quads that are repaired at the price of irregular nodes
 constexpr Trial::Demands kRepairAtAnyPrice{-20, 0.4, 0.01, 6.0};
-constexpr Trial::Demands kFold{-20, 0.4, 0.01, 6.0, 0.0, 1.0, true};  ///< within hair-thin triangles nothing lies flat
+constexpr Trial::Demands kFold{-20, 0.4, 0.01, 6.0, 0.0, 1.0, true, true};  ///< within hair-thin triangles nothing lies flat
 constexpr double kThorough = 0.8;  ///< share of what a quad lacks to be usable that its repair should make good
 constexpr double kSlim = 0.3;  ///< scaled Jacobian of quads that are worth a few irregular nodes if those make them much better
 constexpr Trial::Demands kRepairAtAPrice{-8, 0.4, 0.1, 6.0};
@@ -75,12 +76,11 @@ class Cleaner {
         operations_ = last_round_ = 1;
         tried_before_ = 0;
         changed_.assign(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
-        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+        for_each(mesh_.vertex_slots(), context_, [&](std::int32_t i) {
             const Vertex v(i);
-            if (!is_in_use(v)) continue;
-            if (cuts.is_near(mesh_.position(v), kNearCut * mesh_.length(mesh_.halfedge(v))))
+            if (is_in_use(v) && cuts.is_near(mesh_.position(v), kNearCut * mesh_.length(mesh_.halfedge(v))))
                 changed_[static_cast<std::size_t>(i)] = operations_;
-        }
+        });
     }
 
     bool is_in_use(Vertex v) const { return !mesh_.is_deleted(v) && mesh_.halfedge(v).is_valid(); }
@@ -189,6 +189,8 @@ class Cleaner {
         Trial::Demands thorough = kRepairAtAnyPrice;
         thorough.deficit = kThorough * (kUnusable - std::max(0.0, quality));
         if (change_at_any_scale(f, thorough)) return;
+        thorough.may_leave_surface = true;
+        if (quality <= Trial::kUpright && change_at_any_scale(f, thorough)) return;
         const bool changed = change_round(f, kRepairAtAnyPrice);
         // What was mended may have been a neighbour.
         if (changed && (mesh_.is_deleted(f) || !mesh_.is_quad(f) || scaled_jacobian(mesh_, f) > Trial::kUpright)) return;

@@ -137,24 +137,32 @@ void Trial::gather_neighbourhood(const Region& region, std::vector<Face>& faces)
     }
 }
 
-void Trial::smooth(const Region& region, const Sheet& sheet) {
+void Trial::smooth(const Region& region, const Sheet* sheet) {
+    const ReferenceSurface* const surface = sheet ? &reference_ : nullptr;
     Point target;
     std::int32_t hint = -1;
     for (int i = 0; i < kMeanSweeps; ++i) {
         for (const Vertex v : region.inner) {
             if (!is_movable(mesh_, v) || !laplacian_target(mesh_, v, target)) continue;
-            mesh_.position(v) = reference_.project(target, sheet, hint);
+            mesh_.position(v) = sheet ? reference_.project(target, *sheet, hint) : target;
         }
     }
     const auto improve = [&](Vertex v, bool last) {
         if (!is_movable(mesh_, v)) return;
-        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, &reference_, &hint, kPoor);
+        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, surface, &hint, kPoor);
         if (last && mesh_.valence(v) <= kMostEdges && worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor)
-            optimise_node(mesh_, v, &reference_, &hint);
+            optimise_node(mesh_, v, surface, &hint);
     };
     for (int i = 0; i < kSweeps; ++i) {
         for (const Vertex v : region.inner) improve(v, i + 1 == kSweeps);
         for (const HalfEdge h : region.loop) improve(mesh_.from(h), i + 1 == kSweeps);
+    }
+}
+
+void Trial::restore_outline() {
+    for (const auto& [v, node] : places_) {
+        mesh_.position(v) = node.place;
+        mesh_.info(v) = node.info;
     }
 }
 
@@ -177,13 +185,16 @@ bool Trial::attempt(Region& region, const Replacement& replacement, const Demand
     ++tries_;
     work_ += faces_.size();
     editor_.replace(region, replacement);
-    smooth(region, sheet);
+    smooth(region, &sheet);
     gather_neighbourhood(region, faces_);
     const Quality after = quality(faces_);
     if (is_acceptable(before, after, demands)) return true;
-    for (const auto& [v, node] : places_) {
-        mesh_.position(v) = node.place;
-        mesh_.info(v) = node.info;
+    restore_outline();
+    if (demands.may_leave_surface && before.inverted > 0 && after.inverted > 0) {
+        smooth(region, nullptr);
+        const Quality inside = quality(faces_);
+        if (inside.inverted < before.inverted && is_acceptable(before, inside, demands)) return true;
+        restore_outline();
     }
     editor_.replace(region, back);
     return false;

@@ -18,6 +18,9 @@ class Trial {
         double count_change = 2.0;  ///< quads that may come or go in any case
         double deficit = 0.0;       ///< > 0: what elements lack to be of use must fall by this in sum
         double nearer = 1.0;        ///< < 1: the distance from the surface must fall to this share of what it was
+        /// Nodes may stay in the mesh between their neighbours where that leaves fewer inverted quads, as near to the surface as
+        /// all else has to be: lines that are nearer to each other than to their edges leave no room on the surface between them.
+        bool may_leave_surface = false;
         bool may_fold = false;  ///< neighbours may be turned by more than a right angle where that leaves fewer inverted quads
     };
 
@@ -57,7 +60,9 @@ class Trial {
     bool is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const;
     /// The region's faces and those round the nodes of its outline.
     void gather_neighbourhood(const Region& region, std::vector<Face>& faces);
-    void smooth(const Region& region, const Sheet& sheet);
+    /// @param sheet of the surface onto which the nodes go; nullptr: they stay in the mesh between their neighbours
+    void smooth(const Region& region, const Sheet* sheet);
+    void restore_outline();
 
     SurfaceMesh& mesh_;
     const ReferenceSurface& reference_;

@@ -129,6 +129,20 @@ TEST(Cleanup, AQuadWithAFlatCornerOnALineIsRepaired) {
     EXPECT_GT(worst(mesh), 0.05);
 }
 
+TEST(Cleanup, BetweenLinesThatTheirEdgesMissNewNodesStayInTheMesh) {
+    // A wedge that is bent aside by more than it is wide: its surface lies beside the quad whose edges are the lines' chords.
+    SurfaceMesh mesh = shapes::quad_mesh({{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {1, 0.002, 0}}, {{0, 1, 2, 3}});
+    const std::vector<Point> points{{0, 0, 0}, {0.33, -0.0014, 0}, {0.33, -0.0012, 0}, {0.67, -0.0014, 0}, {0.67, -0.001, 0},
+                                    {1, 0, 0}, {1, 0.002, 0},      {0, -1, 0},         {1, -1, 0}};
+    const std::vector<std::array<std::int32_t, 3>> triangles{{0, 1, 2}, {1, 3, 4}, {1, 4, 2}, {3, 5, 6}, {3, 6, 4}, {7, 8, 5}};
+    const ReferenceSurface bent(points, triangles, std::vector<std::int32_t>{0, 0, 0, 0, 0, 1});
+    const std::vector<Point> boundary = positions(mesh, true);
+    EXPECT_GT(clean_up(mesh, bent).operations, 0);
+    EXPECT_EQ(shapes::defects(mesh), "");
+    EXPECT_EQ(positions(mesh, true), boundary);
+    EXPECT_GT(worst(mesh), 1e-4);
+}
+
 TEST(Cleanup, AQuadWithAnAlmostFlatCornerIsWorthIrregularNodes) {
     for (const double rise : {0.06, 0.145}) {
         // A patch of one quad, at whose node 1 the outline hardly turns.
