@@ -258,8 +258,9 @@ FacetTree::Hit FacetTree::closest(const Point& p, std::int32_t patch, std::int32
     return best;
 }
 
-FacetTree::Hit FacetTree::closest_facing(const Point& p, std::int32_t patch, const Vector3d& up) const {
+FacetTree::Hit FacetTree::closest_facing(const Point& p, std::int32_t patch, const Vector3d& up, double reach) const {
     Hit best = none();
+    best.distance2 = reach * reach;
     const auto faces_up = [&](std::int32_t f) {
         const auto& [a, b, c] = facets_[at(f)];
         return (points_[at(b)] - points_[at(a)]).cross(points_[at(c)] - points_[at(a)]).dot(up) > 0.0;

@@ -35,8 +35,9 @@ class FacetTree {
     Hit closest(const Point& p, std::int32_t patch, std::int32_t hint) const;
     /// The exact closest point, or, if the walk from the hint finds one within the squared distance `enough2`, any such point.
     Hit closest_or_within(const Point& p, std::int32_t patch, std::int32_t hint, double enough2) const;
-    /// The closest point of the facets that face `up`: whose normal has a positive part along it.
-    Hit closest_facing(const Point& p, std::int32_t patch, const Eigen::Vector3d& up) const;
+    /// The closest point of the facets that face `up`, whose normal has a positive part along it, among those nearer than
+    /// `reach`; no facet where there is none.
+    Hit closest_facing(const Point& p, std::int32_t patch, const Eigen::Vector3d& up, double reach) const;
 
     std::int32_t count() const { return static_cast<std::int32_t>(facets_.size()); }
     std::size_t point_count() const { return points_.size(); }

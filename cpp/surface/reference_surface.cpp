@@ -99,9 +99,9 @@ FacetTree::Hit ReferenceSurface::hit(const Point& p, const Sheet& sheet, std::in
     if (closest.facet < 0) return closest;
     const double facing = facet_normal_[at(closest.facet)].dot(sheet.up);
     if (facing >= 0.0 || facing >= kAway * sheet.up.norm()) return closest;
-    const FacetTree::Hit other = tree_.closest_facing(p, sheet.patch, sheet.up);
     const double reach = std::max(kThin * diagonal(), kFarther * std::sqrt(closest.distance2));
-    return other.facet >= 0 && other.distance2 < reach * reach ? other : closest;
+    const FacetTree::Hit other = tree_.closest_facing(p, sheet.patch, sheet.up, reach);
+    return other.facet >= 0 ? other : closest;
 }
 
 SurfacePoint ReferenceSurface::closest(const Point& p, const Sheet& sheet) const { return closest(p, sheet, -1); }

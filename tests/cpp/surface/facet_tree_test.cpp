@@ -79,5 +79,19 @@ TEST(FacetTree, ASearchInOnePatchFindsWhatTryingAllItsFacetsFinds) {
     }
 }
 
+TEST(FacetTree, WhatFacesUpIsFoundWithinReachOnly) {
+    // Two squares above each other, the upper one facing up, the lower one down.
+    const std::vector<Point> points{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const FacetTree tree(points, {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}});
+    const Point p(0.7, 0.2, 0.1);
+    const auto facing = [&](double up, double reach) {
+        return tree.closest_facing(p, FacetTree::kAnyPatch, up * Eigen::Vector3d::UnitZ(), reach);
+    };
+    EXPECT_EQ(facing(-1.0, 0.2).facet, 2);
+    EXPECT_EQ(facing(1.0, 1.0).facet, 0);
+    EXPECT_NEAR(facing(1.0, 1.0).distance2, 0.81, 1e-12);
+    EXPECT_EQ(facing(1.0, 0.8).facet, -1);
+}
+
 }  // namespace
 }  // namespace anisoquad
