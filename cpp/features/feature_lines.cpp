@@ -9,6 +9,7 @@
 
 #include "input/check.h"
 #include "mesh/area_vector.h"
+#include "parallel.h"
 
 namespace anisoquad {
 namespace {
@@ -61,22 +62,22 @@ class FeatureFinder {
 
     void mark_edges() {
         std::vector<Eigen::Vector3d> normals(static_cast<std::size_t>(mesh_.face_slots()));
-        for (std::int32_t i = 0; i < mesh_.face_slots(); ++i) {
+        for_each(mesh_.face_slots(), [&](std::int32_t i) {
             if (!mesh_.is_deleted(Face(i)))
                 normals[static_cast<std::size_t>(i)] = doubled_area_vector(mesh_, Face(i)).normalized();
-        }
+        });
         const double flattest = std::cos(options_.feature_angle * std::numbers::pi / 180.0);
-        for (std::int32_t i = 0; i < mesh_.edge_slots(); ++i) {
+        for_each(mesh_.edge_slots(), [&](std::int32_t i) {
             const Edge e(i);
-            if (mesh_.is_deleted(e)) continue;
+            if (mesh_.is_deleted(e)) return;
             if (mesh_.is_boundary(e)) {
                 kind(e) = {true, true, false, -1};
-                continue;
+                return;
             }
             const auto& n = normals[static_cast<std::size_t>(mesh_.face(M::halfedge(e, 0)).index())];
             const auto& m = normals[static_cast<std::size_t>(mesh_.face(M::halfedge(e, 1)).index())];
             kind(e).constrained = std::max(-1.0, n.dot(m)) < flattest;  // rounding makes no turn of more than 180 degrees
-        }
+        });
         for (const auto& [a, b] : ridges_) {
             EdgeKind& k = kind(mesh_.find_halfedge(Vertex(a), Vertex(b)));
             k.ridge = !k.constrained;
@@ -95,9 +96,9 @@ class FeatureFinder {
     }
 
     void mark_corners() {
-        for (std::int32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+        for_each(mesh_.vertex_slots(), [&](std::int32_t i) {
             const Vertex v(i);
-            if (mesh_.is_deleted(v)) continue;
+            if (mesh_.is_deleted(v)) return;
             std::array<HalfEdge, 2> out;
             std::size_t n = 0;
             for (const HalfEdge h : mesh_.outgoing(v)) {
@@ -105,11 +106,11 @@ class FeatureFinder {
                 if (n < 2) out[n] = h;
                 ++n;
             }
-            if (n == 0) continue;
+            if (n == 0) return;
             const bool smooth =
                 n == 2 && kind(out[0]) == kind(out[1]) && -direction(out[0]).dot(direction(out[1])) >= kCornerCosine;
             mesh_.info(v).kind = smooth ? NodeKind::line : NodeKind::corner;
-        }
+        });
         for (const Source& source : sources_) {
             if (source.vertices.front() == source.vertices.back()) continue;
             mesh_.info(Vertex(source.vertices.front())).kind = NodeKind::corner;

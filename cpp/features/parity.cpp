@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "mesh/disjoint_sets.h"
+#include "mesh/face_components.h"
 #include "mesh/quad_chord.h"
 
 namespace anisoquad {
@@ -19,62 +21,31 @@ constexpr double kChord = 10.0;  // a column or a row of quads is halved only wh
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Components of unmeshed triangles and the parity of their boundaries.
-struct Components {
-    std::vector<std::int32_t> of_face;  ///< -1 for quads
-    std::vector<Face> first;            ///< lowest face of each component
-    std::vector<std::int32_t> edges;    ///< boundary edges of each component
+struct Components : FaceComponents {
+    std::vector<std::int32_t> edges;  ///< boundary edges of each component
 
-    explicit Components(const SurfaceMesh& mesh) : of_face(at(mesh.face_slots()), -1) {
-        std::vector<Face> stack;
-        for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
-            const Face seed(i);
-            if (mesh.is_deleted(seed) || !mesh.is_triangle(seed) || of_face[at(i)] >= 0) continue;
-            const std::int32_t component = size();
-            first.push_back(seed);
-            edges.push_back(0);
-            of_face[at(i)] = component;
-            stack.assign(1, seed);
-            while (!stack.empty()) {
-                const Face f = stack.back();
-                stack.pop_back();
-                for (const HalfEdge h : mesh.halfedges(f)) {
-                    const Face g = mesh.face(M::twin(h));
-                    if (mesh.is_constrained(M::edge(h)) || !mesh.is_triangle(g)) {
-                        ++edges.back();
-                    } else if (of_face[at(g.index())] < 0) {
-                        of_face[at(g.index())] = component;
-                        stack.push_back(g);
-                    }
-                }
-            }
+    explicit Components(const SurfaceMesh& mesh)
+        : FaceComponents(face_components(
+              mesh, [&](Face f) { return mesh.is_triangle(f); }, [&](Edge e) { return !mesh.is_constrained(e); })),
+          edges(first.size(), 0) {
+        const auto component = [&](HalfEdge h) { return mesh.is_boundary(h) ? -1 : of_face[at(mesh.face(h).index())]; };
+        for (std::int32_t i = 0; i < mesh.edge_slots(); ++i) {
+            const Edge e(i);
+            if (mesh.is_deleted(e)) continue;
+            const std::int32_t a = component(M::halfedge(e, 0));
+            const std::int32_t b = component(M::halfedge(e, 1));
+            if (a >= 0 && b >= 0 && !mesh.is_constrained(e)) continue;
+            if (a >= 0) ++edges[at(a)];
+            if (b >= 0) ++edges[at(b)];
         }
     }
 
-    std::int32_t size() const { return static_cast<std::int32_t>(first.size()); }
     bool is_odd(std::int32_t component) const { return edges[at(component)] % 2 != 0; }
-};
-
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::int32_t n) : parent_(at(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
-    std::int32_t find(std::int32_t i) {
-        while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-        return i;
-    }
-    bool unite(std::int32_t a, std::int32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[at(std::max(a, b))] = std::min(a, b);
-        return a != b;
-    }
-
-  private:
-    std::vector<std::int32_t> parent_;
 };
 
 class ParityMaker {
   public:
-    explicit ParityMaker(SurfaceMesh& mesh) : mesh_(mesh), components_(mesh), outside_(components_.size()) {}
+    explicit ParityMaker(SurfaceMesh& mesh) : mesh_(mesh), components_(mesh), outside_(components_.count()) {}
 
     ParityResult run() {
         for (std::int32_t c = 0; c < outside_; ++c) result_.odd += components_.is_odd(c);
@@ -300,7 +271,7 @@ ParityResult make_parity_even(SurfaceMesh& mesh) { return ParityMaker(mesh).run(
 std::int32_t count_odd_components(const SurfaceMesh& mesh) {
     const Components components(mesh);
     std::int32_t odd = 0;
-    for (std::int32_t c = 0; c < components.size(); ++c) odd += components.is_odd(c);
+    for (std::int32_t c = 0; c < components.count(); ++c) odd += components.is_odd(c);
     return odd;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesh/area_vector.h"
+#include "parallel.h"
 
 namespace anisoquad {
 namespace {
@@ -55,10 +56,14 @@ bool is_tip(const SurfaceMesh& mesh, Vertex v) {
 }  // namespace
 
 std::vector<Tip> find_tips(const SurfaceMesh& mesh) {
+    std::vector<char> found(static_cast<std::size_t>(mesh.vertex_slots()), 0);
+    for_each(mesh.vertex_slots(), [&](std::int32_t i) {
+        found[static_cast<std::size_t>(i)] = !mesh.is_deleted(Vertex(i)) && is_tip(mesh, Vertex(i)) ? 1 : 0;
+    });
     std::vector<Tip> tips;
     for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
         const Vertex v(i);
-        if (mesh.is_deleted(v) || !is_tip(mesh, v)) continue;
+        if (!found[static_cast<std::size_t>(i)]) continue;
         tips.push_back({mesh.position(v), mesh.info(mesh.face(mesh.halfedge(v))).patch, mesh.info(v).input});
     }
     return tips;

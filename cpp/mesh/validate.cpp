@@ -3,28 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/face_components.h"
+
 namespace anisoquad {
 
 Topology topology(const SurfaceMesh& mesh) {
     Topology result;
-    std::vector<char> seen_face(static_cast<std::size_t>(mesh.face_slots()), 0);
-    std::vector<Face> stack;
-    for (std::int32_t i = 0; i < mesh.face_slots(); ++i) {
-        if (mesh.is_deleted(Face(i)) || seen_face[static_cast<std::size_t>(i)]) continue;
-        ++result.components;
-        stack.assign(1, Face(i));
-        seen_face[static_cast<std::size_t>(i)] = 1;
-        while (!stack.empty()) {
-            const Face f = stack.back();
-            stack.pop_back();
-            for (const HalfEdge h : mesh.halfedges(f)) {
-                const Face g = mesh.face(SurfaceMesh::twin(h));
-                if (!g.is_valid() || seen_face[static_cast<std::size_t>(g.index())]) continue;
-                seen_face[static_cast<std::size_t>(g.index())] = 1;
-                stack.push_back(g);
-            }
-        }
-    }
+    const auto any = [](auto) { return true; };
+    result.components = face_components(mesh, any, any).count();
     std::vector<char> seen(static_cast<std::size_t>(mesh.halfedge_slots()), 0);
     for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
         HalfEdge h(i);

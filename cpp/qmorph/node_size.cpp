@@ -3,15 +3,17 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "parallel.h"
+
 namespace anisoquad {
 
 // Fronts keep the edges of the lines they start from, which are a little longer: this makes up for it.
 constexpr double kDensity = 0.95;
 
 void assign_node_sizes(SurfaceMesh& mesh) {
-    for (std::int32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    for_each(mesh.vertex_slots(), [&](std::int32_t i) {
         const Vertex v(i);
-        if (mesh.is_deleted(v)) continue;
+        if (mesh.is_deleted(v)) return;
         const Point& p = mesh.position(v);
         double doubled_area = 0.0;
         int triangles = 0;
@@ -21,7 +23,7 @@ void assign_node_sizes(SurfaceMesh& mesh) {
             ++triangles;
         }
         if (triangles > 0) mesh.info(v).size = kDensity * std::sqrt(doubled_area / triangles);
-    }
+    });
 }
 
 }  // namespace anisoquad
