@@ -30,7 +30,8 @@ TIME_LIMIT = 3600  # seconds a process
 
 def run(command, **options):
     """(standard output, processor seconds, peak memory in MB) of one process."""
-    process = subprocess.Popen([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
+    limited = ["timeout", str(TIME_LIMIT), *(str(part) for part in command)]
+    process = subprocess.Popen(limited, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
     output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
