@@ -27,14 +27,19 @@ double corner_angle(const SurfaceMesh& mesh, HalfEdge h, const Eigen::Vector3d& 
     return angle < -0.25 * pi ? angle + 2.0 * pi : angle;
 }
 
-Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const Eigen::Vector3d& up, const ReferenceSurface& reference) {
-    return reference.closest(face_middle(mesh, f), {mesh.info(f).patch, up}).normal;
+/// @param hint facet near the face; receives the one below it
+Eigen::Vector3d normal_at(const SurfaceMesh& mesh, Face f, const Eigen::Vector3d& up, const ReferenceSurface& reference,
+                          std::int32_t& hint) {
+    const SurfacePoint below = reference.closest(face_middle(mesh, f), {mesh.info(f).patch, up}, hint);
+    hint = below.facet;
+    return below.normal;
 }
 
 }  // namespace
 
 Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
     : angle_(static_cast<std::size_t>(mesh.halfedge_slots()), 0.0F) {
+    std::int32_t hint = -1;
     for (std::int32_t i = 0; i < mesh.halfedge_slots(); ++i) {
         const HalfEdge start(i);
         if (mesh.is_deleted(start) || mesh.is_boundary(start) || mesh.info(mesh.face(start)).row > 0) continue;
@@ -44,7 +49,7 @@ Sectors::Sectors(const SurfaceMesh& mesh, const ReferenceSurface& reference)
         bool at_cut = mesh.info(M::edge(start)).cut;
         HalfEdge h = start;
         do {
-            angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), up, reference));
+            angle += corner_angle(mesh, h, normal_at(mesh, mesh.face(h), up, reference, hint));
             h = mesh.rotated_ccw(h);
         } while (!is_fixed(mesh, M::edge(h)));
         at_cut = at_cut || mesh.info(M::edge(h)).cut;

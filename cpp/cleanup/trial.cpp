@@ -66,22 +66,21 @@ int Trial::gain(const Region& region, const Replacement& replacement) const {
     return gain;
 }
 
-Trial::Quality Trial::quality(std::span<const Face> faces) const {
+Trial::Quality Trial::quality(std::span<const Face> faces) {
     Quality result;
     result.folds = count_folds(mesh_, faces);
     result.mean = 0.0;
     std::array<Point, 4> p;
-    std::int32_t hint = -1;
     for (const Face f : faces) {
         std::size_t k = 0;
         for (const HalfEdge h : mesh_.halfedges(f)) p[k++] = mesh_.position(mesh_.from(h));
         const std::int32_t patch = mesh_.info(f).patch;
         const Point centre = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-        const SurfacePoint middle = reference_.closest(centre, patch, hint);
-        hint = middle.facet;
+        const SurfacePoint middle = reference_.closest(centre, patch, hint_);
+        hint_ = middle.facet;
         const Eigen::Vector3d area = (p[2] - p[0]).cross(p[3] - p[1]);
         const bool upright =
-            area.dot(middle.normal) > 0.0 || area.dot(reference_.closest(centre, {patch, facing(mesh_, f)}, hint).normal) > 0.0;
+            area.dot(middle.normal) > 0.0 || area.dot(reference_.closest(centre, {patch, facing(mesh_, f)}, hint_).normal) > 0.0;
         const double q = scaled_jacobian(p[0], p[1], p[2], p[3]);
         const double judged = upright ? q : -std::abs(q);
         result.worst = std::min(result.worst, judged);
@@ -140,18 +139,17 @@ void Trial::gather_neighbourhood(const Region& region, std::vector<Face>& faces)
 void Trial::smooth(const Region& region, const Sheet* sheet) {
     const ReferenceSurface* const surface = sheet ? &reference_ : nullptr;
     Point target;
-    std::int32_t hint = -1;
     for (int i = 0; i < kMeanSweeps; ++i) {
         for (const Vertex v : region.inner) {
             if (!is_movable(mesh_, v) || !laplacian_target(mesh_, v, target)) continue;
-            mesh_.position(v) = sheet ? reference_.project(target, *sheet, hint) : target;
+            mesh_.position(v) = sheet ? reference_.project(target, *sheet, hint_) : target;
         }
     }
     const auto improve = [&](Vertex v, bool last) {
         if (!is_movable(mesh_, v)) return;
-        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, surface, &hint, kPoor);
+        if (laplacian_target(mesh_, v, target)) move_node(mesh_, v, target, surface, &hint_, kPoor);
         if (last && mesh_.valence(v) <= kMostEdges && worst_quality(mesh_, v, node_normal(mesh_, v)) < kPoor)
-            optimise_node(mesh_, v, surface, &hint);
+            optimise_node(mesh_, v, surface, &hint_);
     };
     for (int i = 0; i < kSweeps; ++i) {
         for (const Vertex v : region.inner) improve(v, i + 1 == kSweeps);

@@ -56,7 +56,7 @@ class Trial {
         double aspect = 1.0;    ///< largest ratio of longest to shortest edge
         double distance = 0.0;  ///< of the quads' middles and edges from the surface
     };
-    Quality quality(std::span<const Face> faces) const;
+    Quality quality(std::span<const Face> faces);
     bool is_acceptable(const Quality& before, const Quality& after, const Demands& demands) const;
     /// The region's faces and those round the nodes of its outline.
     void gather_neighbourhood(const Region& region, std::vector<Face>& faces);
@@ -69,6 +69,7 @@ class Trial {
     Sectors sectors_;
     RegionEditor editor_;
     Marks marks_;
+    std::int32_t hint_ = -1;  ///< facet near what was looked at last, which is near what is looked at next
     std::size_t tries_ = 0;
     std::size_t work_ = 0;
     std::vector<Face> faces_;

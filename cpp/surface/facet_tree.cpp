@@ -43,13 +43,14 @@ Eigen::Vector3f rounded(const Vector3d& p, float towards) {
 
 }  // namespace
 
-FacetTree::FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch,
-                     const Context& context)
-    : points_(std::move(points)), facets_(std::move(facets)), patch_(std::move(patch)) {
-    patch_.resize(facets_.size(), 0);
+FacetTree::FacetTree(std::vector<Point> points, std::span<const std::array<std::int32_t, 3>> facets,
+                     std::span<const std::int32_t> patch, const Context& context)
+    : points_(std::move(points)), facets_(facets.size()) {
     Eigen::AlignedBox3d box;
-    for (const auto& t : facets_) {
-        for (std::int32_t v : t) box.extend(points_[at(v)]);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        facets_[f].corner = facets[f];
+        if (!patch.empty()) facets_[f].patch = patch[f];
+        for (const std::int32_t v : facets[f]) box.extend(points_[at(v)]);
     }
     diagonal_ = box.isEmpty() ? 0.0 : box.diagonal().norm();
     context.breathe();
@@ -65,9 +66,7 @@ void FacetTree::find_neighbours() {
         std::int32_t high, corner;  ///< corner: 3 · facet + place in it
     };
     std::vector<std::int32_t> first(points_.size() + 1, 0);
-    const auto ends = [this](std::int32_t f, std::int32_t k) {
-        return std::minmax(facets_[at(f)][at(k)], facets_[at(f)][at((k + 1) % 3)]);
-    };
+    const auto ends = [this](std::int32_t f, std::int32_t k) { return std::minmax(facet(f)[at(k)], facet(f)[at((k + 1) % 3)]); };
     for (std::int32_t f = 0; f < count(); ++f) {
         for (std::int32_t k = 0; k < 3; ++k) ++first[at(ends(f, k).first) + 1];
     }
@@ -80,7 +79,6 @@ void FacetTree::find_neighbours() {
             sides[at(next[at(low)]++)] = {high, 3 * f + k};
         }
     }
-    neighbour_.assign(facets_.size(), {-1, -1, -1});
     for (std::size_t v = 0; v < points_.size(); ++v) {
         const auto begin = sides.begin() + first[v];
         const auto end = sides.begin() + first[v + 1];
@@ -89,17 +87,16 @@ void FacetTree::find_neighbours() {
         for (auto a = begin; a != end; ++a) {
             const auto b = a + 1;
             if (b == end || a->high != b->high) continue;
-            neighbour_[at(a->corner / 3)][at(a->corner % 3)] = b->corner / 3;
-            neighbour_[at(b->corner / 3)][at(b->corner % 3)] = a->corner / 3;
+            facets_[at(a->corner / 3)].neighbour[at(a->corner % 3)] = b->corner / 3;
+            facets_[at(b->corner / 3)].neighbour[at(b->corner % 3)] = a->corner / 3;
         }
     }
 }
 
 void FacetTree::measure_facets() {
-    near2_.resize(facets_.size());
     for_each(count(), [&](std::int32_t f) {
         const double near = std::min(kNearOfHeight * height(f), kNearOfDiagonal * diagonal_);
-        near2_[at(f)] = static_cast<float>(near * near);
+        facets_[at(f)].near2 = static_cast<float>(near * near);
     });
 }
 
@@ -114,34 +111,40 @@ double FacetTree::height(std::int32_t f) const {
 /// The facets of each patch stand together, the patches along a Z-order curve of their middles, the facets of each along one too.
 void FacetTree::order_facets() {
     const auto middle = [this](std::int32_t f) -> Point {
-        const auto& [a, b, c] = facets_[at(f)];
+        const auto& [a, b, c] = facet(f);
         return (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
     };
     order_ = order_along_z_curve(count(), middle);
-    const std::int32_t patches = patch_.empty() ? 0 : *std::max_element(patch_.begin(), patch_.end()) + 1;
+    const std::int32_t patches = facets_.empty() ? 0
+                                                 : std::max_element(
+                                                       facets_.begin(), facets_.end(),
+                                                       [](const Facet& a, const Facet& b) {
+                                                           return a.patch < b.patch;
+                                                       })->patch +
+                                                       1;
     patch_root_.assign(at(patches), -1);
     if (patches < 2) return;
     std::vector<Point> middles(at(patches), Point::Zero());
     std::vector<std::int32_t> next(at(patches), 0);
     for (std::int32_t f = 0; f < count(); ++f) {
-        middles[at(patch_[at(f)])] += middle(f);
-        ++next[at(patch_[at(f)])];
+        middles[at(patch(f))] += middle(f);
+        ++next[at(patch(f))];
     }
     for (std::size_t p = 0; p < middles.size(); ++p) middles[p] /= std::max(1, next[p]);
     std::int32_t first = 0;
     for (const std::int32_t p : order_along_z_curve(middles)) first += std::exchange(next[at(p)], first);
     std::vector<std::int32_t> order(order_.size());
-    for (const std::int32_t f : order_) order[at(next[at(patch_[at(f)])]++)] = f;
+    for (const std::int32_t f : order_) order[at(next[at(patch(f))]++)] = f;
     order_ = std::move(order);
 }
 
 /// Where to cut a range of order_: in the middle, or between two patches where that is nearest to it.
 std::int32_t FacetTree::cut(std::int32_t first, std::int32_t last) const {
-    const auto patch = [this](std::int32_t i) { return patch_[at(order_[at(i)])]; };
+    const auto patch_at = [this](std::int32_t i) { return patch(order_[at(i)]); };
     const std::int32_t half = first + (last - first) / 2;
-    if (patch(first) == patch(last - 1)) return half;
+    if (patch_at(first) == patch_at(last - 1)) return half;
     const auto begin = order_.begin() + first;
-    const auto of_half = [&](std::int32_t f) { return patch_[at(f)] == patch(half); };
+    const auto of_half = [&](std::int32_t f) { return patch(f) == patch_at(half); };
     const auto low = static_cast<std::int32_t>(
         std::find_if(std::make_reverse_iterator(order_.begin() + half), std::make_reverse_iterator(begin), std::not_fn(of_half))
             .base() -
@@ -170,9 +173,9 @@ void FacetTree::build_tree(const Context& context) {
         const auto index = static_cast<std::int32_t>(nodes_.size());
         if (task.parent >= 0) nodes_[at(task.parent)].first = index;
         Node& node = nodes_.emplace_back();
-        const bool is_uniform = patch_[at(order_[at(task.first)])] == patch_[at(order_[at(task.last - 1)])];
+        const bool is_uniform = patch(order_[at(task.first)]) == patch(order_[at(task.last - 1)]);
         if (is_uniform) {
-            std::int32_t& root = patch_root_[at(patch_[at(order_[at(task.first)])])];
+            std::int32_t& root = patch_root_[at(patch(order_[at(task.first)]))];
             if (root < 0) root = index;
         }
         if (task.last - task.first > kLeafSize || !is_uniform) {
@@ -191,7 +194,7 @@ void FacetTree::build_tree(const Context& context) {
             Eigen::AlignedBox3d box;
             for (std::int32_t i = node->first; i < node->first + node->count; ++i) {
                 const std::int32_t f = order_[at(i)];
-                for (const std::int32_t v : facets_[at(f)]) box.extend(points_[at(v)]);
+                for (const std::int32_t v : facet(f)) box.extend(points_[at(v)]);
             }
             node->low = rounded(box.min(), -std::numeric_limits<float>::infinity());
             node->high = rounded(box.max(), std::numeric_limits<float>::infinity());
@@ -205,8 +208,9 @@ void FacetTree::build_tree(const Context& context) {
 }
 
 void FacetTree::try_facet(const Point& p, std::int32_t facet, std::int32_t patch, Hit& best) const {
-    if (patch != kAnyPatch && patch_[at(facet)] != patch) return;
-    const auto& [a, b, c] = facets_[at(facet)];
+    const Facet& tried = facets_[at(facet)];
+    if (patch != kAnyPatch && tried.patch != patch) return;
+    const auto& [a, b, c] = tried.corner;
     const Point& pa = points_[at(a)];
     const Vector3d weights = closest_weights(p, pa, points_[at(b)], points_[at(c)]);
     const Point position = pa + weights[1] * (points_[at(b)] - pa) + weights[2] * (points_[at(c)] - pa);
@@ -223,14 +227,15 @@ bool FacetTree::walk(const Point& p, std::int32_t patch, std::int32_t hint, Hit&
     std::int32_t before = -1;
     for (int step = 0; step < kWalkLimit; ++step) {
         const std::int32_t facet = best.facet;
+        const Facet& here = facets_[at(facet)];
         const Vector3d weights = best.weights;
         // Across the edges that the point lies on: the one from corner k to k + 1 has no weight at k + 2.
         for (std::int32_t k = 0; k < 3; ++k) {
-            const std::int32_t other = neighbour_[at(facet)][at(k)];
+            const std::int32_t other = here.neighbour[at(k)];
             if (weights[(k + 2) % 3] == 0.0 && other >= 0 && other != before) try_facet(p, other, patch, best);
-            if (weights[k] == 1.0 && best.facet == facet) try_round(p, facets_[at(facet)][at(k)], facet, patch, best);
+            if (weights[k] == 1.0 && best.facet == facet) try_round(p, here.corner[at(k)], facet, patch, best);
         }
-        if (best.facet == facet) return best.distance2 <= near2_[at(facet)];
+        if (best.facet == facet) return best.distance2 <= here.near2;
         before = facet;
     }
     return false;
@@ -241,9 +246,9 @@ void FacetTree::try_round(const Point& p, std::int32_t corner, std::int32_t firs
     for (const int way : {0, 2}) {
         std::int32_t facet = first;
         for (int step = 0; step < kWalkLimit; ++step) {
-            const auto& t = facets_[at(facet)];
-            const int k = t[0] == corner ? 0 : (t[1] == corner ? 1 : 2);
-            facet = neighbour_[at(facet)][at((k + way) % 3)];
+            const Facet& here = facets_[at(facet)];
+            const int k = here.corner[0] == corner ? 0 : (here.corner[1] == corner ? 1 : 2);
+            facet = here.neighbour[at((k + way) % 3)];
             if (facet == first) return;
             if (facet < 0) break;
             try_facet(p, facet, patch, best);
@@ -262,7 +267,7 @@ FacetTree::Hit FacetTree::closest_facing(const Point& p, std::int32_t patch, con
     Hit best = none();
     best.distance2 = reach * reach;
     const auto faces_up = [&](std::int32_t f) {
-        const auto& [a, b, c] = facets_[at(f)];
+        const auto& [a, b, c] = facet(f);
         return (points_[at(b)] - points_[at(a)]).cross(points_[at(c)] - points_[at(a)]).dot(up) > 0.0;
     };
     search(p, patch, faces_up, best);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "context.h"
@@ -27,8 +28,8 @@ class FacetTree {
     FacetTree() = default;
     /// @param patch of each facet; empty: all are patch 0
     /// @throws Error{cancelled}
-    FacetTree(std::vector<Point> points, std::vector<std::array<std::int32_t, 3>> facets, std::vector<std::int32_t> patch = {},
-              const Context& context = no_context());
+    FacetTree(std::vector<Point> points, std::span<const std::array<std::int32_t, 3>> facets,
+              std::span<const std::int32_t> patch = {}, const Context& context = no_context());
 
     /// @param hint a facet near p, -1: none. A walk from it over neighbours that ends near p, for the facets' size, is the
     ///        answer: a closest point of the sheet that the hint lies on. Else all facets are searched.
@@ -42,11 +43,11 @@ class FacetTree {
     std::int32_t count() const { return static_cast<std::int32_t>(facets_.size()); }
     std::size_t point_count() const { return points_.size(); }
     const Point& point(std::int32_t v) const { return points_[static_cast<std::size_t>(v)]; }
-    const std::array<std::int32_t, 3>& facet(std::int32_t f) const { return facets_[static_cast<std::size_t>(f)]; }
-    std::int32_t patch(std::int32_t f) const { return patch_[static_cast<std::size_t>(f)]; }
+    const std::array<std::int32_t, 3>& facet(std::int32_t f) const { return facets_[static_cast<std::size_t>(f)].corner; }
+    std::int32_t patch(std::int32_t f) const { return facets_[static_cast<std::size_t>(f)].patch; }
     /// Facet across the edge from corner k to k + 1, -1: none.
     std::int32_t neighbour(std::int32_t f, int k) const {
-        return neighbour_[static_cast<std::size_t>(f)][static_cast<std::size_t>(k)];
+        return facets_[static_cast<std::size_t>(f)].neighbour[static_cast<std::size_t>(k)];
     }
     /// Least height of the facet, 0 where it is a point.
     double height(std::int32_t f) const;
@@ -54,6 +55,13 @@ class FacetTree {
     double diagonal() const { return diagonal_; }
 
   private:
+    /// All that a walk asks of a facet, together in memory.
+    struct Facet {
+        std::array<std::int32_t, 3> corner;
+        std::array<std::int32_t, 3> neighbour{-1, -1, -1};
+        std::int32_t patch = 0;
+        float near2 = 0.0F;  ///< squared distance at which a walk that ends here needs no search
+    };
     struct Node {
         Eigen::Vector3f low;  ///< rounded outwards
         Eigen::Vector3f high;
@@ -74,10 +82,7 @@ class FacetTree {
     void search(const Point& p, std::int32_t patch, IsMeant is_meant, Hit& best) const;
 
     std::vector<Point> points_;
-    std::vector<std::array<std::int32_t, 3>> facets_;
-    std::vector<std::int32_t> patch_;
-    std::vector<std::array<std::int32_t, 3>> neighbour_;
-    std::vector<float> near2_;  ///< per facet: squared distance at which a walk that ends there needs no search
+    std::vector<Facet> facets_;
     std::vector<Node> nodes_;
     std::vector<std::int32_t> order_;       ///< facets in the order of the leaves
     std::vector<std::int32_t> patch_root_;  ///< per patch: the node with all its facets, -1 = none

@@ -82,7 +82,8 @@ TEST(FacetTree, ASearchInOnePatchFindsWhatTryingAllItsFacetsFinds) {
 TEST(FacetTree, WhatFacesUpIsFoundWithinReachOnly) {
     // Two squares above each other, the upper one facing up, the lower one down.
     const std::vector<Point> points{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const FacetTree tree(points, {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}});
+    const std::vector<std::array<std::int32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}};
+    const FacetTree tree(points, triangles);
     const Point p(0.7, 0.2, 0.1);
     const auto facing = [&](double up, double reach) {
         return tree.closest_facing(p, FacetTree::kAnyPatch, up * Eigen::Vector3d::UnitZ(), reach);
