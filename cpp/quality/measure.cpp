@@ -264,7 +264,7 @@ class Measurer {
         arrays_ = {};
         release(quads_);
         release(values_);
-        const FacetTree result(std::move(points), std::move(halves), {}, context_);
+        const FacetTree result(std::move(points), halves, {}, context_);
         const double out = distance_to(reference_.tree(), result, context_);
         const double back = distance_to(result, reference_.tree(), context_);
         report_.hausdorff = std::max(out, back);

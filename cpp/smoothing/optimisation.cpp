@@ -34,14 +34,16 @@ bool optimise_node(SurfaceMesh& mesh, Vertex v, const ReferenceSurface* referenc
     const Star::Quality old = star.quality(star.centre());
     const double before = score(star, old, star.centre(), aim);
     Eigen::Vector2d x = Eigen::Vector2d::Zero();
+    const Eigen::Matrix2d axes =
+        aim == Aim::worst_changing_corner ? chart.search_axes(mesh, v) : Eigen::Matrix2d(Eigen::Matrix2d::Identity());
     const auto score_at = [&](const Eigen::Vector2d& trial) {
-        const Point p = chart(trial);
+        const Point p = chart(axes * trial);
         return score(star, star.quality(p), p, aim);
     };
     pattern_search(score_at, x, kFirstStep * star.edge_length(), kSmallestStep * star.edge_length());
     std::int32_t facet = hint ? *hint : -1;
     for (int i = 0; i < 3 && !x.isZero(0.0); ++i, x *= 0.5) {
-        Point p = chart(x);
+        Point p = chart(axes * x);
         if (reference) p = reference->project(p, {star.patch(), star.normal()}, facet);
         if (!p.allFinite()) continue;
         const Star::Quality now = star.quality(p);

@@ -12,7 +12,8 @@ enum class Aim {
     worst_element,
     /// Up to Star::kPoor, the worst corner that a place of the node can open: a corner opposite it, between two lines at a small
     /// angle, does not hide that others are poor. The worst element does not get worse. (In the clean-up's trials, which judge by
-    /// the worst element, it led to no better meshes.)
+    /// the worst element, it led to no better meshes.) Narrow stars are searched in steps as narrow; in those trials that let
+    /// more replacements pass: 29 surfaces got a better 5th percentile (+.002) and a poorer worst quad (-.007).
     worst_changing_corner,
 };
 

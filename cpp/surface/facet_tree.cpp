@@ -115,13 +115,8 @@ void FacetTree::order_facets() {
         return (points_[at(a)] + points_[at(b)] + points_[at(c)]) / 3.0;
     };
     order_ = order_along_z_curve(count(), middle);
-    const std::int32_t patches = facets_.empty() ? 0
-                                                 : std::max_element(
-                                                       facets_.begin(), facets_.end(),
-                                                       [](const Facet& a, const Facet& b) {
-                                                           return a.patch < b.patch;
-                                                       })->patch +
-                                                       1;
+    std::int32_t patches = 0;
+    for (const Facet& f : facets_) patches = std::max(patches, f.patch + 1);
     patch_root_.assign(at(patches), -1);
     if (patches < 2) return;
     std::vector<Point> middles(at(patches), Point::Zero());

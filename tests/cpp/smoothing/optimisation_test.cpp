@@ -88,5 +88,23 @@ TEST(Optimisation, KeepsWhatMustStay) {
     for (const Vertex v : {g.vertex(2, 2), g.vertex(0, 2), g.vertex(0, 0)}) EXPECT_FALSE(optimise_node(mesh, v));
 }
 
+TEST(Optimisation, ANodeInANarrowStripComesToFaceTheOthers) {
+    // Two rows of quads between two lines that are a thousandth of a quad's length apart; the middle node lags behind by half a
+    // length. However the strip lies, all steps but those along it would lead out of it.
+    for (const double turn : {0.0, 0.3, 1.2, 2.7}) {
+        const Grid g = make(2, 2, on_plane);
+        SurfaceMesh mesh = g.mesh();
+        const Eigen::AngleAxisd rotation(turn, Eigen::Vector3d::UnitZ());
+        for (int j = 0; j <= 2; ++j) {
+            for (int i = 0; i <= 2; ++i) mesh.position(g.vertex(i, j)) = rotation * Point(i, 0.001 * j, 0.0);
+        }
+        const Vertex middle = g.vertex(1, 1);
+        mesh.position(middle) = rotation * Point(0.5, 0.001, 0.0);
+        ASSERT_LT(worst_quality(mesh, middle, Eigen::Vector3d::UnitZ()), 0.01);
+        for (int i = 0; i < 20; ++i) optimise_node(mesh, middle, nullptr, nullptr, Aim::worst_changing_corner);
+        EXPECT_GT(worst_quality(mesh, middle, Eigen::Vector3d::UnitZ()), 0.5) << turn;
+    }
+}
+
 }  // namespace
 }  // namespace anisoquad
