@@ -64,7 +64,6 @@ def output_of(algorithm, *data):
 
 def points_of(array):
     points = vtk.vtkPoints()
-    points.SetDataTypeToDouble()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(array, float), deep=1))
     return points
 
