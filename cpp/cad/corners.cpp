@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cad/closest_point.h"
+#include "mesh/disjoint_sets.h"
 
 namespace anisoquad::cad {
 namespace {
@@ -19,26 +20,20 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Numbers of pieces: those of the faces' vertices are one.
 std::vector<std::int32_t> pieces_of(const CadShape& shape) {
-    std::vector<std::int32_t> same(shape.vertices().size());
-    std::iota(same.begin(), same.end(), 0);
-    const auto root = [&](std::int32_t i) {
-        while (same[at(i)] != i) i = same[at(i)] = same[at(same[at(i)])];
-        return i;
-    };
+    DisjointSets pieces(static_cast<std::int32_t>(shape.vertices().size()));
     for (const CadFace& face : shape.faces()) {
         std::int32_t first = -1;
         for (const std::int32_t e : face.edges) {
             for (const std::int32_t v : shape.edge(e).vertex) {
                 if (first < 0) first = v;
-                const auto [low, high] = std::minmax({root(first), root(v)});
-                same[at(high)] = low;
+                pieces.unite(first, v);
             }
         }
     }
-    std::vector<std::int32_t> piece(same.size());
+    std::vector<std::int32_t> piece(shape.vertices().size());
     std::int32_t count = 0;
-    for (std::size_t i = 0; i < same.size(); ++i) {
-        const std::int32_t r = root(static_cast<std::int32_t>(i));
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+        const std::int32_t r = pieces.find(static_cast<std::int32_t>(i));
         piece[i] = at(r) == i ? count++ : piece[at(r)];
     }
     return piece;
